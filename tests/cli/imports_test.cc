@@ -371,5 +371,16 @@ TEST_F(Imports, MergePairsThatAreListedTwice) {
                         "these contacts contradict the forces in the earlier row of the pair"));
 }
 
+TEST_F(Imports, SayThatAStressDoesNotActOnFixedWalls) {
+  write("g.csv", "x,y,radius\n1,1,0.5\n");
+  const std::string said = "--stress does not act along";
+  const std::vector<std::string> fixed = {"--walls", "x=0.5:3,y=0.5:3", "--stress", "1,2"};
+  EXPECT_THAT(convert("g.csv", fixed).err, HasSubstr(said + " x,y, where no wall follows forces"));
+  std::vector<std::string> lid = fixed;
+  lid.insert(lid.end(), {"--wall-masses", "y+=2"});
+  EXPECT_THAT(convert("g.csv", lid).err, HasSubstr(said + " x, where no wall follows forces"));
+  EXPECT_THAT(convert("g.csv", {"--cell", "3,0;0,3", "--stress", "1,2"}).err, Not(HasSubstr(said)));
+}
+
 }  // namespace
 }  // namespace floc::test

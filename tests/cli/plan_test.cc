@@ -80,7 +80,10 @@ TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
        "beads-hertz; tables are shipped for"},
       {kDemoScene + "--budget 1h --prices old.csv", "old.csv: column"},
       {kDemoScene + "--budget 1h --pilot --set grains.count=1", "grains.count"},
-      {kDemoScene + "--budget 1s --pilot", "--pilot: the samples of 200 grains are not complete within 0.2 s"},
+      {kDemoScene + "--budget 1s --pilot",
+       "--pilot: the samples of 200 grains would not be complete within 0.2 s of processor time"},
+      {source_directory() + "/data/scenes/pentagons_shear_demo.toml --budget 60s --pilot",
+       "expected a --budget of at least "},
       {"--check .", "this directory contains no campaign"},
       {kDemoScene + "--want lambda=0.3 --set load.0.to=1e-3", "lambda is not a quantity of this scene"},
       {source_directory() + "/data/scenes/oedometer.toml --want dilatancy=0.3",
@@ -142,7 +145,7 @@ TEST_F(PlanCommand, FilesNameScenesAndTablesWithQuotationMarks) {
     write_text(scratch_.file(name + ".toml"), content_of(source_directory() + "/data/scenes/demo.toml"));
     write_text(scratch_.file(name + ".csv"), content_of(table));
     const std::string quoted = shell_quoted(name + ".toml"), prices = shell_quoted(name + ".csv");
-    const Outcome made = plan(quoted + " --budget 5s -o p.toml --prices " + prices);
+    const Outcome made = plan(quoted + " --budget 5s -o p.toml --overwrite --prices " + prices);
     ASSERT_EQ(made.code, 0) << name << made.err;
     const Outcome checked = run_floc("campaign check p.toml", scratch_.path());
     EXPECT_EQ(checked.code, 0) << name << checked.err;
@@ -236,6 +239,59 @@ TEST_F(PlanCommand, APilotMeasuresScenesWithoutATable) {
   EXPECT_THAT(o.err, AllOf(HasSubstr("pilot: a sample of 40 grains takes "),
                            HasSubstr("without a table of prices, the errors due to the numerical settings")));
   for (const auto& row : json::parse(o.out)) EXPECT_EQ(row["error"], row["error_scatter"]);
+}
+
+/// Sweeps that end early compact large packings by more than the small samples of the tables resolve.
+TEST_F(PlanCommand, ChoosesNoLooseSweeps) {
+  const std::string polyhedra = source_directory() + "/data/scenes/polyhedra_demo.toml ";
+  for (const char* wish : {"--want phi=0.005", "--budget 1h", "--budget 60s"})
+    for (const auto& row : rows(polyhedra + wish)) {
+      EXPECT_FALSE(row["knob"] == "sweep_tolerance" && row["value"] != "1e-04") << wish << row;
+      EXPECT_FALSE(row["knob"] == "together" && row["value"] != "careful") << wish << row;
+    }
+  // Only loose sweeps would seem to reach this error.
+  const Outcome refused = plan(polyhedra + "--want phi=0.0014");
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, HasSubstr("phi=0.0014: expected at least 0.0039"));
+}
+
+TEST_F(PlanCommand, SaysWhereTheTableIsLessExactThanThePromise) {
+  const Outcome o = plan(source_directory() + "/data/scenes/rolling_shear.toml --budget 1h --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, HasSubstr("plan 1 (" + std::string(json::parse(o.out)[0]["knob"])));
+  EXPECT_THAT(o.err, AllOf(HasSubstr("the table of prices knows the differences that these settings cause only "
+                                     "within intervals that exceed the promised errors: "),
+                           HasSubstr("critical_ratio +- 0.0")));
+}
+
+TEST_F(PlanCommand, DoesNotReplaceAFileUnlessToldSo) {
+  write_text(scratch_.file("mine.toml"), "mine");
+  const Outcome refused = plan(kDemoScene + "--budget 5s -o mine.toml");
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, HasSubstr("mine.toml: this file exists already; give --overwrite to replace it"));
+  EXPECT_EQ(content_of(scratch_.file("mine.toml")), "mine");
+  EXPECT_EQ(plan(kDemoScene + "--budget 5s --cores 3 -o mine.toml --overwrite").code, 0);
+  EXPECT_THAT(content_of(scratch_.file("mine.toml")), HasSubstr("snakemake --cores 3\n"));
+}
+
+/// A plan and the campaign that makes it predict the same processor time.
+TEST_F(PlanCommand, CampaignsPredictByTheSamePrices) {
+  const std::pair<std::string, std::string> plans[] = {
+      {kDemoScene, "--budget 30s --set grains.count=190"},
+      {kDemoScene, "--want phi=0.02"},
+      {source_directory() + "/data/scenes/rigid_disks_demo.toml ", "--budget 30s"},
+      {source_directory() + "/data/scenes/polyhedra_demo.toml ", "--want phi=0.02"}};
+  for (const auto& [scene, wish] : plans) {
+    const Outcome made = plan(scene + wish + " --format json -o p.toml --overwrite");
+    ASSERT_EQ(made.code, 0) << made.err;
+    const double promised = 3600.0 * double(json::parse(made.out)[0]["cpu_hours"]);
+    const Outcome checked = run_floc("campaign check p.toml --format json", scratch_.path());
+    ASSERT_EQ(checked.code, 0) << checked.err;
+    EXPECT_THAT(checked.err, HasSubstr("on one core (by the tables of prices of their kinds)"));
+    double expected = 0.0;
+    for (const auto& row : json::parse(checked.out)) expected += double(row["expected_seconds"]);
+    EXPECT_NEAR(expected / promised, 1.0, 1e-3) << scene << wish;
+  }
 }
 
 TEST_F(PlanCommand, SceneCheckPredictsByTheSamePrices) {

@@ -127,7 +127,7 @@ TEST(TradeoffCommand, RefusesObservablesThatTheSceneDoesNotHave) {
 TEST(TradeoffCommand, ComparesTheParametersThatAreNamed) {
   const Outcome o =
       run_floc("tradeoff " + kSmall +
-               "--samples 2 --budget 60 --knobs softening,patience --observables phi --format json");
+               "--samples 2 --budget 1min --knobs softening,patience --observables phi --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   std::set<std::string> knobs;
   for (const auto& row : nlohmann::json::parse(o.out)) {
@@ -189,7 +189,12 @@ TEST(TradeoffCommand, SaysWhatABudgetDidNotAllow) {
 
 TEST(TradeoffCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(run_floc("tradeoff " + kSmall + "--observables colour").code, 2);
-  EXPECT_EQ(run_floc("tradeoff " + kSmall + "--budget 0").code, 2);
+  for (const char* budget : {"0", "-1s", "2m", "inf", "soon"}) {
+    const Outcome refused = run_floc("tradeoff " + kSmall + "--budget " + budget);
+    EXPECT_EQ(refused.code, 2) << budget;
+    EXPECT_THAT(refused.err, HasSubstr("expected a positive number with one of the units s, min, h, d and y"))
+        << budget;
+  }
   const Outcome o = run_floc("tradeoff nowhere.toml");
   EXPECT_EQ(o.code, 4);
   EXPECT_THAT(o.err, HasSubstr("nowhere.toml: there is no such file"));

@@ -70,10 +70,13 @@ std::string extent_of(const PlannedCampaign& planned) {
   const std::size_t n_seeds = planned.campaign.seeds.size();
   double cost = 0.0;
   for (const CasePlan& plan : planned.plans) cost += plan.cost * static_cast<double>(n_seeds);
+  const auto n_rough = static_cast<std::size_t>(std::ranges::count(planned.plans, false, &CasePlan::is_priced));
   return fmt::format(
-      "{} with {}: {}, expected to take {} on one core (this estimate is correct within a factor of two)",
-      counted(planned.plans.size(), "case"), counted(n_seeds, "seed"),
-      counted(planned.plans.size() * n_seeds, "run"), duration_text(cost));
+      "{} with {}: {}, expected to take {} on one core ({})", counted(planned.plans.size(), "case"),
+      counted(n_seeds, "seed"), counted(planned.plans.size() * n_seeds, "run"), duration_text(cost),
+      n_rough == 0 ? "by the tables of prices of their kinds"
+                   : fmt::format("no table of prices applies to {}, whose time is a rough estimate",
+                                 n_rough == planned.plans.size() ? "the cases" : counted(n_rough, "case")));
 }
 
 /// Writes a new file. @throws InputError if a file of this name exists already, because no file of a user may be

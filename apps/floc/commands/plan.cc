@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "floc/base/error.h"
 #include "floc/base/shell_word.h"
@@ -19,9 +20,21 @@ namespace {
 struct PlanCommand {
   PlanWishes plan;
   std::string output;
+  bool overwrite = false;
   std::string check;
   Printing printing;
 };
+
+/// Checks, before anything is run, that the file of a plan may be written. write_output() refuses the name of the
+/// scene.
+/// @throws InputError if the file exists and may not be replaced
+void require_new_file(const PlanCommand& arguments) {
+  std::error_code error;
+  if (arguments.overwrite || !std::filesystem::exists(arguments.output, error) ||
+      std::filesystem::equivalent(arguments.output, arguments.plan.scene, error))
+    return;
+  throw InputError(arguments.output, "this file exists already; give --overwrite to replace it");
+}
 
 void write_plan(const PlansOfScene& plans, const std::string& output) {
   write_output(output, plans.file(output));
@@ -35,6 +48,7 @@ int make_plan(const PlanCommand& arguments) {
     throw InputError(
         "--output " + arguments.output,
         "the file of a plan names the scene file: expected the name of a scene file in place of -");
+  if (!arguments.output.empty()) require_new_file(arguments);
   const PlansOfScene plans(arguments.plan, [](const std::string& remark) { spdlog::info("{}", remark); });
   print_table(plans.table(), arguments.printing);
   if (!arguments.output.empty()) write_plan(plans, arguments.output);
@@ -95,6 +109,8 @@ Command add_plan(CommandLine program) {
   const Option output = app.add_option(
       "-o,--output", arguments->output,
       "file to write for the best plan: a campaign file, or a scene file if the plan has only one sample");
+  const Option overwrite =
+      app.add_flag("--overwrite", arguments->overwrite, "replace the file of --output if it exists already");
   app.add_option("--check", arguments->check,
                  "DIR: directory of a campaign that floc plan has written: compare its runs with the "
                  "errors and the cost that the plan predicts")
@@ -104,7 +120,8 @@ Command add_plan(CommandLine program) {
       .excludes(observables)
       .excludes(set)
       .excludes(pilot)
-      .excludes(output);
+      .excludes(output)
+      .excludes(overwrite);
   add_printing_options(app, arguments->printing);
   return {app, [arguments]() -> int {
             if (!arguments->check.empty()) return check_plan_of(*arguments);

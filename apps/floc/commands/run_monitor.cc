@@ -22,7 +22,10 @@ std::string phase_of(const Run<Dim>& run) {
                        run.n_clusters());
   const RelaxationReport report = run.report();
   const bool finishing = report.phase == "finishing";
-  std::string text = fmt::format("{}, {}", report.phase, report.blocking);
+  // Steps from rest do not advance the simulated time, so their number shows that the relaxation continues.
+  const std::string resting =
+      report.n_resting_steps > 0 ? fmt::format(" after {} steps from rest", report.n_resting_steps) : "";
+  std::string text = fmt::format("{}{}, {}", report.phase, resting, report.blocking);
   if (finishing && report.decay_rate > 0.0)
     text += fmt::format(", the force residual decays at a rate of {:.2g} per unit of time", report.decay_rate);
   return text;

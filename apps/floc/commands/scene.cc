@@ -11,10 +11,10 @@
 #include "floc/base/error.h"
 #include "floc/io/atomic_file.h"
 #include "floc/planning/duration.h"
-#include "floc/planning/price_model.h"
+#include "floc/scene/cost_model.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
-#include "floc/scene/scene_prices.h"
+#include "floc/scene/scene_kind.h"
 #include "floc/scene/scene_warnings.h"
 #include "floc/scene/starting_scene.h"
 #include "floc/tables/size_rows.h"
@@ -37,37 +37,26 @@ struct SceneArguments {
   std::string name;
 };
 
-/// Prints the expected cost of a run if there is a table of prices for the scene. Prints a message if the shipped
-/// tables of prices are not installed.
-void tell_price(const Scene& scene, const SceneArguments& arguments) {
-  if (scene.starts_from_state()) return;
-  ScenePrices prices;
-  try {
-    prices = prices_of(scene, arguments.prices);
-  } catch (const InputError& error) {
-    if (!arguments.prices.empty()) throw;
-    return spdlog::info("the processor time and the memory of a run are not predicted: {}", error.what());
-  }
-  if (!prices.table) {
-    if (!arguments.prices.empty()) throw InputError(arguments.prices, prices.problem);
-    return;
-  }
-  const ExpectedPrice price = expected_price(PriceModel(scene, *prices.table), scene);
-  spdlog::info("by the prices of the kind {}, a run takes {} of processor time and {:.0f} MB of memory",
-               prices.table->kind, duration_in_words(price.core_seconds), price.memory_mb);
+/// Prints the expected processor time and memory of a run if a table of prices gives them.
+void tell_price(const Scene& scene, const std::string& prices) {
+  const RunCost cost = cost_of_run(scene, prices);
+  if (cost.is_priced())
+    spdlog::info("by the prices of the kind {}, a run takes {} of processor time and {:.0f} MB of memory",
+                 scene_kind(scene), duration_in_words(cost.core_seconds), *cost.memory_mb);
 }
 
 int check_scene(const SceneArguments& arguments) {
   const Scene scene = read_scene(arguments.path, arguments.overrides, arguments.prices);
   Table table{{"group", "value", "meaning"}, {}};
-  for (const DerivedGroup& g : derived_groups(scene)) table.rows.push_back({g.name, g.value, g.meaning});
+  for (const DerivedGroup& g : derived_groups(scene, arguments.prices))
+    table.rows.push_back({g.name, g.value, g.meaning});
   print_table(table, arguments.printing);
   if (!arguments.sizes.empty())
     write_csv(arguments.sizes, size_table(size_classes(scene.grains, scene.dimension)));
   if (!scene.start.empty()) spdlog::info("starting state: {}", scene.start);
   if (!scene.accuracy.empty())
     spdlog::info("numerical settings chosen for the accuracy that the scene requires: {}", scene.accuracy);
-  tell_price(scene, arguments);
+  tell_price(scene, arguments.prices);
   const std::vector<std::string> warnings = scene_warnings(scene);
   for (const std::string& warning : warnings) spdlog::warn("{}: warning: {}", arguments.path, warning);
   spdlog::info("{}: the scene has no faults{}", arguments.path,

@@ -1,6 +1,7 @@
 #include "floc/tradeoff/tradeoff.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 
 #include "floc/base/error.h"
 #include "floc/lattice/cemented_sample.h"
+#include "floc/planning/duration.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
 #include "floc/tables/column.h"
@@ -27,6 +29,7 @@ struct TradeoffCommand {
   std::vector<std::string> overrides;
   std::vector<std::string> observables;
   std::string plot;
+  std::string budget = "600";  ///< see duration_of()
   Printing printing;
   TradeoffOptions options;
   /// volume fraction of the matrix in a study of cemented grains; absent in other studies
@@ -191,8 +194,8 @@ Command add_tradeoff(CommandLine program) {
                                            "errors of the results with the costs of the settings");
   const auto command = std::make_shared<TradeoffCommand>();
   app.add_option("SCENE", command->scene, "scene file (TOML)").required();
-  app.add_option("--budget", command->options.budget, "processor time that the study may take, on one core (s)")
-      .positive()
+  app.add_option("--budget", command->budget,
+                 "processor time that the study may take, on one core, such as 90s, 30min, 2h, 3d or 1y")
       .show_default();
   app.add_option("--samples", command->options.max_samples,
                  "largest number of samples; the first sample has the seed of the scene, each further sample "
@@ -229,7 +232,15 @@ Command add_tradeoff(CommandLine program) {
                  "plot to write (F.svg): errors against costs; the data and the gnuplot script are "
                  "written to the same directory");
   add_printing_options(app, command->printing);
-  return {app, [command] { return run_tradeoff(*command); }};
+  return {app, [command]() -> int {
+            try {
+              command->options.budget = duration_of("--budget", command->budget);
+            } catch (const InputError& error) {
+              spdlog::error("floc: {}", error.what());
+              return kUsage;
+            }
+            return run_tradeoff(*command);
+          }};
 }
 
 }  // namespace floc

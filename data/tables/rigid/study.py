@@ -43,6 +43,7 @@ RUNS = {
     "spheres-elastic": ("elastic_spheres", [], AT_REST),
     "cut": ("polyhedra", ["grains.count=1000", *HEAVY], AT_REST),
     "cut-5000": ("polyhedra", ["grains.count=5000", *HEAVY], AT_REST),
+    "cut-20000": ("polyhedra", [], AT_REST),
     "hull": ("polyhedra", ["grains.count=1000", HULL, *HEAVY], AT_REST),
     "hull-5000": ("polyhedra", ["grains.count=5000", HULL, *HEAVY], AT_REST),
     "cubes": ("polyhedra", ["grains.count=1000", CUBE, *HEAVY], AT_REST),

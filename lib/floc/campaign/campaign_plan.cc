@@ -13,7 +13,7 @@
 #include "floc/loading/run_plan.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/relaxation/useful_threads.h"
-#include "floc/scene/derived_groups.h"
+#include "floc/scene/cost_model.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_source.h"
 
@@ -186,7 +186,9 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
     CasePlan& plan = plans.emplace_back();
     plan.states = states_of(scene);
     plan.threads = useful_threads(scene.grains.count, scene.dimension, scene.relaxation.threads);
-    plan.cost = expected_cost(scene);
+    const RunCost cost = cost_of_run(scene);
+    plan.cost = cost.core_seconds;
+    plan.is_priced = cost.is_priced();
     // The states are chosen here only to report a missing state before any run begins.
     for (const Collection& c : campaign.collections) {
       (void)chosen_states(c.states, one, plan);

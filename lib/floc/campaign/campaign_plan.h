@@ -23,7 +23,8 @@ struct PlannedState {
 struct CasePlan {
   std::vector<PlannedState> states;
   int threads = 1;
-  double cost = 0.0;  ///< expected processor time of a run (s, on one core): expected_cost()
+  double cost = 0.0;       ///< expected processor time of a run (s, on one core): cost_of_run()
+  bool is_priced = false;  ///< whether a table of prices gives this time; otherwise it is a rough estimate
 };
 
 /// A run of a campaign: a case with a seed.

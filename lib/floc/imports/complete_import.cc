@@ -62,6 +62,21 @@ void set_target_stress(const Imported& imported, const ImportCompletion& complet
   for (int a = 0; a < Dim; ++a) state.target_stress[a] = completion.stress[a];
 }
 
+/// Says along which axes a stress that the user gives does not act, because the walls there are fixed.
+template <int Dim>
+std::string stress_without_effect(const ImportCompletion& completion, const Packing<Dim>& packing) {
+  std::string axes;
+  for (int a = 0; a < Dim; ++a)
+    if (between_walls(packing.walls, a) && n_moving_walls(packing, a) == 0)
+      axes += fmt::format("{}{}", axes.empty() ? "" : ",", "xyz"[a]);
+  if (completion.stress.empty() || axes.empty()) return "";
+  return fmt::format(
+      "{} does not act along {}, where no wall follows forces: it is only part of the pressure that is the "
+      "unit of "
+      "the residuals; --wall-masses gives the masses of walls that move",
+      completion.stress_place, axes);
+}
+
 /// Adds contacts between grains whose surfaces are closer than `gap`. The forces of these contacts are unknown and are
 /// set to zero. The stiffnesses are those of the law for surfaces that just touch.
 template <int Dim>
@@ -136,13 +151,15 @@ std::string complete_import(const std::string& place, const Imported& imported,
   state.provenance.program = "floc " + version();
   state.provenance.commit = commit();
   state.provenance.compiler = compiler();
-  if (!holds_liquid(state.packing)) return "";
+  const std::string remark = stress_without_effect(completion, state.packing);
+  if (!holds_liquid(state.packing)) return remark;
   if (imported.liquid_known) {
     Packing<Dim> shared = state.packing;
     state.n_bridges_unsettled = spread_liquid(shared).n_changed();
-    return "";
+    return remark;
   }
-  return "the file does not contain the volumes of the liquid bridges; the volumes and the forces are computed "
+  return remark + (remark.empty() ? "" : "; ") +
+         "the file does not contain the volumes of the liquid bridges; the volumes and the forces are computed "
          "by the contact law";
 }
 

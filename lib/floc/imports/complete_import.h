@@ -26,7 +26,8 @@ struct ImportCompletion {
 /// @param place  file or array that contains the packing, for messages
 /// @param imported  packing as it was read from its file
 /// @param state  state to complete, a copy of the state in `imported`
-/// @return message that floc has computed the volumes of the liquid bridges; empty if it has not
+/// @return message that floc has computed the volumes of the liquid bridges, or that a given stress does not act on
+/// fixed walls; empty if neither is the case
 /// @throws InputError for a law that does not apply to the dimension of the packing, a solid fraction above 1, overlaps
 /// too large for the law, or a stress with a wrong number of components
 template <int Dim>

@@ -73,6 +73,21 @@ std::vector<std::string> lost_in_rockable(const AnyState& any) {
       any);
 }
 
+/// Returns the names of the data of a state that a file .vtkhdf cannot hold.
+std::vector<std::string> lost_in_vtkhdf(const AnyState& any) {
+  return std::visit(
+      [](const auto& state) {
+        const auto moves = [](const auto& velocity) { return !velocity.isZero(0.0); };
+        const auto& grains = state.packing.grains;
+        std::vector<std::string> lost;
+        if (state.motion || std::ranges::any_of(grains.velocity, moves) ||
+            std::ranges::any_of(grains.angular_velocity, moves))
+          lost.emplace_back("velocities, with which a packing in motion goes on");
+        return lost;
+      },
+      any);
+}
+
 }  // namespace
 
 const std::vector<ExportFormat>& export_formats() {
@@ -80,7 +95,8 @@ const std::vector<ExportFormat>& export_formats() {
       {"state", "state file of floc", ".h5", write_own_state},
       {"vtu", "VTK's unstructured grid: grains and contacts, for ParaView", ".vtu", write_text<vtu_text, true>,
        "", lost_beside_grains},
-      {"vtkhdf", "VTK's HDF format: grains and contacts, for ParaView", ".vtkhdf", write_vtkhdf},
+      {"vtkhdf", "VTK's HDF format: grains and contacts, for ParaView", ".vtkhdf", write_vtkhdf, "",
+       lost_in_vtkhdf},
       {"extended-xyz", "extended XYZ, for OVITO and ASE", ".xyz", write_text<extended_xyz_text>, "",
        lost_beside_grains},
       {"lammps-data", "data file of LAMMPS, atom_style sphere", ".data", write_text<lammps_data_text>, "",

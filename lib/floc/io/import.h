@@ -74,6 +74,8 @@ struct ListedContactCounts {
   /// Sentences about listed stiffnesses that differ from the stiffnesses that the contact law gives at the listed
   /// forces.
   std::vector<std::string> stiffness_differences;
+  /// Sentence about contact points of grains with corners that do not fit the shapes; empty if all points fit.
+  std::string misfit;
 };
 
 /// A packing that was read from a file of another program.

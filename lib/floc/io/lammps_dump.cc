@@ -47,6 +47,7 @@ class FrameText {
   }
 
   std::string_view operator[](std::size_t at) const { return lines_[at]; }
+  std::size_t n_lines() const { return lines_.size(); }
 
   std::int64_t integer(std::size_t at, const std::string& what) const {
     if (const auto value = parse_number<std::int64_t>(line(at, what))) return *value;
@@ -202,6 +203,21 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   frame.box.xy = xy, frame.box.xz = xz, frame.box.yz = yz;
 }
 
+/// Checks that a table ends after the number of rows that its frame states.
+/// @param at  line of the frame after the last of these rows  @param n  number of rows
+/// @throws InputError if another row follows, instead of the next frame or the end of the file
+void require_no_more_rows(const FrameText& dump, std::size_t at, std::int64_t n) {
+  for (; at < dump.n_lines(); ++at) {
+    if (trimmed(dump[at]).empty()) continue;
+    if (dump[at].starts_with("ITEM:")) return;
+    throw InputError(
+        dump.place(at),
+        fmt::format("the line is \"{}\", expected the next frame (ITEM: TIMESTEP) or the end of the file "
+                    "after the {} rows that the frame states",
+                    dump[at].substr(0, 80), n));
+  }
+}
+
 /// Reads one frame of a dump: the time step, the box, and the table of grains or contacts.
 /// @param items  word before the names of the columns: "ATOMS" for grains, "ENTRIES" for contacts
 DumpFrame read_frame(const FrameText& dump, const std::string& items) {
@@ -243,6 +259,7 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
       throw InputError(dump.place(row), fmt::format("the line is \"{}\", expected {}", line, what));
     frame.table.add_row(dump.number(row), tokenize(line));
   }
+  require_no_more_rows(dump, at + 1 + static_cast<std::size_t>(n), n);
   return frame;
 }
 

@@ -10,7 +10,9 @@
 
 #include "floc/base/error.h"
 #include "floc/contact/adhesion/capillary_adhesion.h"
+#include "floc/io/listed_forces.h"
 #include "floc/io/listed_images.h"
+#include "floc/io/listed_misfits.h"
 #include "floc/io/listed_points.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/law/stiffness_check.h"
@@ -20,23 +22,11 @@
 namespace floc {
 namespace {
 
-/// A tangential force counts as mobilised (at the limit of friction) if it differs from this limit by at most this
-/// fraction of the limit. The fraction is the rounding error of six digits, because files print forces with six digits
-/// or more.
-constexpr double kCapTolerance = 1e-6;
-/// A tangential force below this fraction of the normal force of the same contact counts as a rounding error.
-constexpr double kNoShear = 1e-9;
-/// Rounding error of a scalar product, divided by the product of the lengths of the two vectors.
-constexpr double kRounding = 1e-15;
 /// A force below this fraction of the largest listed force counts as a rounding error.
 constexpr double kNoForce = 1e-9;
 /// Two grains cannot be in contact if the gap between them exceeds the range of the law by more than this fraction of
 /// their mean radius. The fraction is large because a file may have few digits.
 constexpr double kFarthestGap = 0.1;
-/// Largest accepted difference, divided by the total force, between the normal force of a contact and the normal
-/// component of its total force, if a file lists both forces. The same holds for tangential forces. If positions are
-/// rounded to six digits, the contact normal rotates, and the components change by less than this fraction.
-constexpr double kSameForce = 1e-3;
 
 /// Whether the two grains of a contact must be exchanged so that the grain with the lower index comes first. For a
 /// contact of a grain with its own image, the answer is true if find_pairs() uses the opposite image.
@@ -45,109 +35,6 @@ bool is_reversed(const Contact<Dim>& c) {
   if (c.i != c.j) return c.i > c.j;
   const Vec<Dim, int> zero = Vec<Dim, int>::Zero();
   return std::lexicographical_compare(c.image.begin(), c.image.end(), zero.begin(), zero.end());
-}
-
-/// Forces that the file lists for a contact. The forces act on the first grain of the contact.
-template <int Dim>
-struct GivenForces {
-  std::optional<double> normal;
-  std::optional<Vec<Dim>> shear;
-  std::optional<RotationVector<Dim>> rolling;
-  std::optional<double>
-      twisting;  ///< twisting moment; its sign does not change if the two grains are exchanged
-};
-
-template <int Dim>
-GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const Vec<Dim>& normal) {
-  const double sign = reversed ? -1.0 : 1.0;
-  GivenForces<Dim> given;
-  given.normal = listed.normal_force;
-  if (listed.shear_force) {
-    const Vec<Dim> on_first = sign * listed.shear_force->template head<Dim>();
-    const double along = normal.dot(on_first);
-    // The normal component of a listed tangential force is subtracted if it exceeds rounding errors. A smaller
-    // component is not subtracted, so that the force keeps all of its digits.
-    given.shear = on_first;
-    if (std::abs(along) > kRounding * on_first.norm()) *given.shear -= normal * along;
-    const double largest = std::max(on_first.norm(), std::abs(listed.normal_force.value_or(0.0)));
-    if (!listed.force && std::abs(along) > kSameForce * largest)
-      throw InputError(
-          listed.place.text(),
-          fmt::format("the tangential force has the component {:.6g} along the contact normal, expected a "
-                      "force perpendicular to the normal; list a whole force in force1.. instead",
-                      along));
-  }
-  if (listed.force) {
-    const Vec<Dim> on_first = sign * listed.force->template head<Dim>();
-    given.normal = -normal.dot(on_first);
-    if (listed.normal_force &&
-        !(std::abs(*listed.normal_force - *given.normal) <= kSameForce * on_first.norm()))
-      throw InputError(listed.place.text(),
-                       fmt::format("normal_force = {:.6g}, but the total force listed for the same contact has "
-                                   "the normal component {:.6g}: leave out one of these two forces",
-                                   *listed.normal_force, *given.normal));
-    const Vec<Dim> across = on_first + *given.normal * normal;
-    // The sum of both lists contains the tangential force twice if force1.. is the whole force.
-    const double same = kSameForce * on_first.norm();
-    if (given.shear && given.shear->norm() > same && (across - 2.0 * *given.shear).norm() <= same)
-      throw InputError(
-          listed.place.text(),
-          fmt::format("force1.. has the tangential part {:.6g} that shear_force1.. lists again: beside these "
-                      "columns it must be the normal part of the force; leave out one of the two",
-                      given.shear->norm()));
-    given.shear = across;
-  }
-  if (listed.rolling_moment) given.rolling = sign * listed.rolling_moment->template tail<kRotations<Dim>>();
-  given.twisting = listed.twisting_moment;
-  return given;
-}
-
-/// Replaces the forces and stiffnesses of a contact, which the law gave, by the listed forces and stiffnesses.
-/// @throws InputError if a listed tangential, rolling or twisting force or stiffness does not exist in the law
-template <int Dim>
-void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const GivenForces<Dim>& given,
-                Contact<Dim>& c) {
-  const Law& law = packing.law_of(c);
-  if (given.normal) c.normal_force = *given.normal;
-  if (given.shear && law.has_friction()) c.shear_force = *given.shear;
-  if (given.shear && !law.has_friction() && given.shear->norm() > kNoShear * std::abs(c.normal_force))
-    throw InputError(
-        listed.place.text(),
-        fmt::format("the tangential force is {:.6g}, but the law has no friction", given.shear->norm()));
-  if (given.rolling && !given.rolling->isZero(0.0) && !law.has_rolling())
-    throw InputError(listed.place.text(), "a rolling moment is listed, but the law has no rolling resistance");
-  if (given.rolling && law.has_rolling()) c.rolling_moment = *given.rolling;
-  if (given.twisting && *given.twisting != 0.0 && !law.has_twisting())
-    throw InputError(listed.place.text(),
-                     "a twisting moment is listed, but the law has no twisting resistance");
-  if (given.twisting && law.has_twisting()) c.twisting_moment = *given.twisting;
-  if (given.normal || given.shear || given.rolling || given.twisting)
-    set_given_forces(packing, listed.kn, listed.kt, kCapTolerance, c);
-  if (listed.kr && *listed.kr != 0.0 && !law.has_rolling())
-    throw InputError(listed.place.text(),
-                     "a rolling stiffness is listed, but the law has no rolling resistance");
-  if (listed.kr && law.has_rolling() && !c.distant) c.kr = *listed.kr;
-  if (listed.ktw && *listed.ktw != 0.0 && !law.has_twisting())
-    throw InputError(listed.place.text(),
-                     "a twisting stiffness is listed, but the law has no twisting resistance");
-  if (listed.ktw && law.has_twisting() && !c.distant) c.ktw = *listed.ktw;
-}
-
-/// Checks one stiffness of a contact, if the file lists it.
-/// @param name  name of the column of the stiffness
-/// @param right  whether `value` is allowed
-/// @param expected  description of the allowed values, for the message
-/// @throws InputError if `value` is listed and not allowed
-void require_stiffness(const ListedContact& listed, const char* name, const std::optional<double>& value,
-                       bool right, const std::string& expected) {
-  if (value && !right)
-    throw InputError(listed.place.text(), fmt::format("{} = {}, expected {}", name, *value, expected));
-}
-
-void require_stiffnesses(const ListedContact& listed) {
-  require_stiffness(listed, "kt", listed.kt, listed.kt >= 0.0, "a tangential stiffness >= 0");
-  require_stiffness(listed, "kr", listed.kr, listed.kr >= 0.0, "a rolling stiffness >= 0");
-  require_stiffness(listed, "ktw", listed.ktw, listed.ktw >= 0.0, "a twisting stiffness >= 0");
 }
 
 /// Returns the name of the second body of a listed contact.
@@ -223,6 +110,7 @@ class ListedContacts {
   ListedContactCounts counts() const {
     ListedContactCounts counts = counts_;
     counts.stiffness_differences = stiffnesses_.differences(packing_.law.force_exponent());
+    counts.misfit = misfits_.sentence();
     return counts;
   }
 
@@ -286,6 +174,7 @@ class ListedContacts {
       ++counts_.n_neighbors;
       return std::nullopt;
     }
+    misfits_.add(row, packing_, c);
     const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
     if (!given.normal)
       throw InputError(row.place.text(),
@@ -404,22 +293,40 @@ class ListedContacts {
   }
 
   /// Sets the periodic image of the second grain of a contact. The listed image is used if the grains can touch at this
-  /// image, else the nearest image. Some programs list images that refer to positions outside the cell, although the
-  /// listed positions were moved into the cell.
+  /// image, else the image at the contact point or, without such an image, the nearest one. Some programs list images
+  /// that refer to positions outside the cell, although the listed positions were moved into the cell.
   void set_image(const ListedContact& row, Contact<Dim>& c) {
     if (row.image) c.image = row.image->template head<Dim>();
-    if (row.image && c.i == c.j && c.image.isZero())
-      throw InputError(row.place.text(),
-                       "id1 and id2 are equal and the image is zero: the grain would touch itself");
     for (int a = 0; a < Dim; ++a)
       if (c.image[a] != 0 && between_walls(packing_.walls, a))
         throw InputError(row.place.text(),
                          fmt::format("image{} = {}, expected 0: the packing is not periodic along {}", a + 1,
                                      c.image[a], "xyz"[a]));
+    if (row.image) require_another_body(row, c);
     if (row.image && (can_touch(c) || row.bond)) return;
     if (row.image) require_within_reach(c);
     c.image = nearest_image(packing_, row.place, c.i, c.j);
+    // The nearest image of a disk or sphere touches first, unless two images may be equally near.
+    const bool may_be_another = !packing_.grains.are_round() || branch(packing_, c).norm() >= half_width_;
+    if (row.point && may_be_another) c.image = image_at_point(row, packing_, c).value_or(c.image);
+    require_another_body(row, c);
     if (row.image && can_touch(c)) ++counts_.n_other_image;
+  }
+
+  /// @throws InputError if both bodies of a contact are the same grain, and not two images of it
+  static void require_another_body(const ListedContact& row, const Contact<Dim>& c) {
+    if (c.i == c.j && c.image.isZero()) refuse_one_body(row);
+  }
+
+  [[noreturn]] static void refuse_one_body(const ListedContact& row) {
+    if (row.image)
+      throw InputError(row.place.text(),
+                       "id1 and id2 are equal and the image is zero: the grain would touch itself");
+    throw InputError(
+        row.place.text(),
+        fmt::format("the first and the second body of the contact are grain {}, and not an image of it "
+                    "in another cell: the grain would touch itself",
+                    row.id1));
   }
 
   /// Checks the distance between the grains of a contact.
@@ -435,17 +342,24 @@ class ListedContacts {
   }
 
   /// Checks the periodic image of the second grain that set_image() has chosen for a contact.
-  /// @throws InputError if the image is not the listed image and another image may be equally near
+  /// @throws InputError if the image is not the listed image, another image may be equally near, and the contact point
+  /// does not tell which of them touches the first grain
   void require_one_image(const ListedContact& row, const Contact<Dim>& c) const {
-    if (row.wall) return;
+    if (row.wall || (row.image && c.image == row.image->template head<Dim>())) return;
     const double distance = branch(packing_, c).norm();
-    const bool chosen = !row.image || c.image != row.image->template head<Dim>();
-    if (chosen && distance >= half_width_)
-      throw InputError(row.place.text(),
-                       fmt::format("the centres of the grains are {:.6g} apart, which is half the width of the "
-                                   "cell ({:.6g}) or more: the list of contacts must give, in the columns "
-                                   "image1.., the image of the second grain that touches the first{}",
-                                   distance, half_width_, counting_hint(listed_)));
+    if (distance < half_width_ || (row.point && image_at_point(row, packing_, c) == c.image)) return;
+    if (c.i == c.j) refuse_one_body(row);
+    const std::string hint =
+        row.point
+            ? "the contact point must lie on the surface of one image of the second grain"
+            : "the list of contacts must give, in the columns image1.., the image of the second grain that "
+              "touches the first";
+    throw InputError(
+        row.place.text(),
+        fmt::format(
+            "the centres of the grains are {:.6g} apart, which is half the width of the cell ({:.6g}) or "
+            "more: {}{}",
+            distance, half_width_, hint, counting_hint(listed_)));
   }
 
   /// Checks that the bodies of a contact are near enough to touch.
@@ -481,6 +395,7 @@ class ListedContacts {
   ListedContactCounts counts_;
   Tensile first_tensile_;
   StiffnessComparison stiffnesses_;
+  PointMisfits misfits_;
 };
 
 }  // namespace

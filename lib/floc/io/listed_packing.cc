@@ -180,6 +180,8 @@ Imported assemble_in(const ListedPacking& listed) {
   imported.remarks = listed.remarks;
   add_remark_on_masses(listed, Dim, imported.remarks);
   imported.inconsistencies = listed.inconsistencies;
+  if (const std::string& misfit = imported.listed_contacts.misfit; !misfit.empty())
+    imported.inconsistencies.push_back(misfit);
   if (imported.liquid_known)
     add_doubt_of_liquid(std::get<State<Dim>>(imported.state).packing, imported.inconsistencies);
   return imported;

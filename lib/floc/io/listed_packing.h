@@ -130,8 +130,10 @@ void add_wall_contacts(const std::string& list, ListedPacking& listed);
 /// of the law. If the grains of a contact cannot touch at the listed image, the nearest image replaces it.
 /// @throws InputError naming the place, the value and the expectation in these cases:
 /// - grains and cell: no grains; a repeated identifier; a cell without volume;
-/// - bodies of a contact: an unknown grain or wall; a contact listed twice; a contact without a listed image whose
-/// grains are half the width of the cell or more apart, so that two images may be equally near;
+/// - bodies of a contact: an unknown grain or wall; a contact of a grain with itself; a contact listed twice; a contact
+/// without a listed image whose grains are half the width of the cell or more apart, so that two images may be equally
+/// near, and whose point, if it is listed, lies at none or at several of them;
+/// - grains with corners: a contact without a point, a normal whose length is not 1, a reversed normal;
 /// - distances: a contact without a listed force whose gap is beyond the range of the law; a contact with a listed
 /// force whose grains cannot touch at any near image;
 /// - forces and stiffnesses: a contact of grains with corners without a point or a force; a tensile contact under a law

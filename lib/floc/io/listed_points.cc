@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 
@@ -11,6 +12,7 @@
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/locate.h"
+#include "floc/shape/closest_points.h"
 
 namespace floc {
 namespace {
@@ -24,6 +26,14 @@ constexpr int kFirstFreeKey = kMostFaces << 21;
 /// A contact point of floc and a contact point of another program count as the same point if their distance is at most
 /// this fraction of the smaller radius.
 constexpr double kOnePointShare = 0.25;
+
+/// Largest accepted difference of the length of a listed normal from 1. Components with four digits after the point
+/// change it by less.
+constexpr double kUnitLength = 1e-3;
+/// A contact point lies at an image of a grain if its distance from the surface of the image is at most the first
+/// number, and at this image alone if the distance from any other is larger by the second number. Both are divided by
+/// the radius of the grain.
+constexpr double kNearSurface = 0.1, kNearer = 0.05;
 
 /// Subtracts lattice vectors from a vector, so that its reduced coordinates along the periodic axes are at most 1/2 in
 /// magnitude.
@@ -41,6 +51,41 @@ ContactType type_at_point(const Packing<Dim>& packing, const Contact<Dim>& c) {
   const double reach = kOnePointShare * smaller_radius(packing, c);
   const bool crosses = manifold_of(packing, c, branch(packing, c), reach).type == ContactType::kEdgeEdge;
   return crosses ? ContactType::kEdgeEdge : ContactType::kVertexFace;
+}
+
+/// Returns all images with the numbers -1, 0 and 1 along the periodic axes.
+template <int Dim>
+std::vector<Vec<Dim, int>> images_beside(const Packing<Dim>& packing) {
+  std::vector<Vec<Dim, int>> images = {Vec<Dim, int>::Zero()};
+  for (int a = 0; a < Dim; ++a) {
+    if (between_walls(packing.walls, a)) continue;
+    const std::size_t n = images.size();
+    for (const int step : {-1, 1})
+      for (std::size_t k = 0; k < n; ++k) {
+        images.push_back(images[k]);
+        images.back()[a] = step;
+      }
+  }
+  return images;
+}
+
+/// Returns the distance (length) of a point from the surface of a grain.
+/// @param arm  vector from the centre of the grain to the point
+template <int Dim>
+double distance_to_surface(const Packing<Dim>& packing, int grain, const Vec<Dim>& arm) {
+  const Grains<Dim>& grains = packing.grains;
+  if (grains.are_round()) return std::abs(arm.norm() - grains.radius[grain]);
+  PlacedShape<Dim> body = grains.placed(grain);
+  body.position.setZero();
+  const Shape<Dim> point = round_shape<Dim>(0.0);
+  const RelativePlace<Dim> place(body, PlacedShape<Dim>{&point, body.scale, arm, Mat<Dim>::Identity()});
+  const ClosestPoints<Dim> at = closest_points(*body.shape, point, place, Vec<Dim>(place.offset));
+  if (!at.overlap) return std::abs(body.scale * at.distance - body.rounding());
+  // The point is inside the core, the shape without its rounding.
+  double depth = body.shape->n_faces() > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+  for (int f = 0; f < body.shape->n_faces(); ++f)
+    depth = std::min(depth, body.shape->offsets[f] - body.shape->normals[f].dot(place.offset));
+  return body.scale * std::max(depth, 0.0) + body.rounding();
 }
 
 template <int Dim>
@@ -90,6 +135,36 @@ void number_pair(const Packing<Dim>& packing, std::span<Contact<Dim>> points) {
 
 }  // namespace
 
+Eigen::Vector3d unit_normal(const FileLine& place, const Eigen::Vector3d& listed) {
+  const double length = listed.norm();
+  if (std::abs(length - 1.0) <= kUnitLength) return listed / length;
+  throw InputError(place.text(), fmt::format("the normal of the contact has the length {:.6g}, expected a unit "
+                                             "vector (length 1 to within {:g})",
+                                             length, kUnitLength));
+}
+
+template <int Dim>
+std::optional<Vec<Dim, int>> image_at_point(const ListedContact& row, const Packing<Dim>& packing,
+                                            const Contact<Dim>& contact) {
+  const std::vector<Vec<Dim>>& x = packing.grains.position;
+  const double radius = packing.grains.radius[contact.j];
+  const Vec<Dim> arm = nearest_of_images<Dim>(packing, row.point->template head<Dim>() - x[contact.i]);
+  std::optional<Vec<Dim, int>> nearest;
+  double least = std::numeric_limits<double>::infinity(), next = least;
+  for (const Vec<Dim, int>& beside : images_beside<Dim>(packing)) {
+    const Vec<Dim, int> image = contact.image + beside;
+    if (contact.i == contact.j && image.isZero()) continue;
+    const Vec<Dim> arm_j = arm - (x[contact.j] + packing.cell.shift(image) - x[contact.i]);
+    // A point outside the circumscribed circle or sphere is not near the surface.
+    if (arm_j.norm() > (1.0 + kNearSurface + kNearer) * radius) continue;
+    const double distance = distance_to_surface(packing, contact.j, arm_j);
+    next = std::min(next, std::max(distance, least));
+    if (distance < least) least = distance, nearest = image;
+  }
+  if (least > kNearSurface * radius || next - least < kNearer * radius) return std::nullopt;
+  return nearest;
+}
+
 template <int Dim>
 void place_point(const ListedContact& row, bool reversed, const Packing<Dim>& packing, Contact<Dim>& c) {
   if (!row.point)
@@ -113,16 +188,9 @@ void place_point(const ListedContact& row, bool reversed, const Packing<Dim>& pa
     c.normal = at.normal;
     c.gap = at.gap;
   }
-  // The listed normal points from id1 to id2, but c.normal points from c.i to c.j. A file with few digits changes the
-  // length of the normal only slightly; a length far from 1 shows that the columns contain other numbers.
-  if (row.normal) {
-    const Vec<Dim> listed = (reversed ? -1.0 : 1.0) * row.normal->template head<Dim>();
-    if (!(listed.norm() > 0.5 && listed.norm() < 2.0))
-      throw InputError(row.place.text(),
-                       fmt::format("the normal of the contact has the length {:.6g}, expected a unit vector",
-                                   listed.norm()));
-    c.normal = listed.normalized();
-  }
+  // The listed normal points from id1 to id2, but c.normal points from c.i to c.j.
+  if (row.normal)
+    c.normal = (reversed ? -1.0 : 1.0) * unit_normal(row.place, *row.normal).template head<Dim>().normalized();
   if (row.gap) c.gap = *row.gap;
   c.type = row.kind ? *row.kind : type_at_point(packing, c);
   if (!is_contact_type_in(c.type, Dim))
@@ -141,8 +209,10 @@ void number_points(const Packing<Dim>& packing, std::vector<Contact<Dim>>& conta
   }
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                                \
-  template void place_point(const ListedContact&, bool, const Packing<Dim>&, Contact<Dim>&); \
+#define FLOC_INSTANTIATE(Dim)                                                                     \
+  template std::optional<Vec<Dim, int>> image_at_point(const ListedContact&, const Packing<Dim>&, \
+                                                       const Contact<Dim>&);                      \
+  template void place_point(const ListedContact&, bool, const Packing<Dim>&, Contact<Dim>&);      \
   template void number_points(const Packing<Dim>&, std::vector<Contact<Dim>>&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

@@ -1,10 +1,24 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "floc/io/listed_packing.h"
 
 namespace floc {
+
+/// Returns the unit vector along a listed normal. Its length may differ from 1 by the rounding error of four digits.
+/// @throws InputError naming `place` if the length differs more
+Eigen::Vector3d unit_normal(const FileLine& place, const Eigen::Vector3d& listed);
+
+/// Returns the periodic image of the second body at whose surface the listed contact point lies, if there is exactly
+/// one such image among the nearest image and its neighbours.
+/// @param contact  contact of two grains, which are the bodies of `row` in the same order, with the nearest image of
+/// the second one, or an image beside it
+/// @pre row.point has a value
+template <int Dim>
+std::optional<Vec<Dim, int>> image_at_point(const ListedContact& row, const Packing<Dim>& packing,
+                                            const Contact<Dim>& contact);
 
 /// Sets the point, the normal and the gap of a contact of grains with corners to the listed values. If the normal or
 /// the gap is not listed, it is computed from the shapes at the point.

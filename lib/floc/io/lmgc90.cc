@@ -7,17 +7,17 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
-#include "floc/base/read_text.h"
-#include "floc/io/keyed_line.h"
+#include "floc/io/dat_file.h"
 #include "floc/io/listed_bodies.h"
 #include "floc/io/listed_packing.h"
+#include "floc/io/lmgc90_contacts.h"
 #include "floc/packing/ball.h"
 #include "floc/shape/convex_hull.h"
 #include "floc/shape/read_shapes.h"
@@ -26,54 +26,6 @@ namespace floc {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Reads a text file line by line. The current line is a view of the text.
-class DatFile {
- public:
-  explicit DatFile(const std::string& path)
-      : before_number_(std::make_shared<const std::string>(path + ":")), text_(read_text(path)), rest_(text_) {}
-
-  /// Advances to the next line that is neither empty nor a comment. @return whether there is one
-  bool next() {
-    while (!rest_.empty()) {
-      const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-      line_ = rest_.substr(0, end);
-      rest_.remove_prefix(std::min(end + 1, rest_.size()));
-      ++number_;
-      if (!trimmed(line_).empty() && !trimmed(line_).starts_with('!')) return true;
-    }
-    return false;
-  }
-  std::string_view line() const { return line_; }
-  std::vector<std::string_view> words() const { return words_of(line_); }
-  FileLine file_line() const { return {before_number_, number_}; }
-  std::string place() const { return file_line().text(); }
-
-  bool has(std::string_view key) const { return line_.find(key) != std::string_view::npos; }
-
-  /// Returns the number that follows `key` and an optional equals sign. As in output of Fortran, the exponent may begin
-  /// with D, and the blank before the number may be missing.
-  double number(std::string_view key) const {
-    const std::size_t at = line_.find(key);
-    if (at == std::string_view::npos) throw InputError(place(), fmt::format("the line has no \"{}\"", key));
-    const std::string_view after = line_.substr(at + key.size());
-    const std::vector<std::string_view> rest =
-        words_of(after.substr(std::min(after.find_first_not_of(" ="), after.size())));
-    std::string text(rest.empty() ? "" : rest.front());
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == 'D' || c == 'd'; }, 'e');
-    if (const auto value = parse_number<double>(text)) return *value;
-    throw InputError(place(), fmt::format("{} is \"{}\", expected a finite number", key,
-                                          rest.empty() ? std::string_view("missing") : rest.front()));
-  }
-
- private:
-  std::shared_ptr<const std::string> before_number_;
-  std::string text_;
-  std::string_view rest_;
-  std::string_view line_;
-  int number_ = 0;
-};
 
 /// A body in the file BODIES.DAT.
 struct Body {
@@ -217,11 +169,29 @@ void read_axis(const DatFile& file, Body& body) {
   body.axes = Eigen::Quaterniond(body.axes).normalized().toRotationMatrix();
 }
 
+/// Checks that the file DOF.INI gives the displacement of each body, and of each polyhedron the axes. A file without
+/// bodies, as LMGC90 writes it before the first step, gives no displacements.
+/// @param displaced, turned  bodies whose displacements and axes have been read
+void require_all_displaced(const std::string& path, const std::vector<Body>& bodies,
+                           const std::set<std::int64_t>& displaced, const std::set<std::int64_t>& turned) {
+  if (displaced.empty()) return;
+  for (const Body& body : bodies) {
+    if (!displaced.contains(body.id))
+      throw InputError(path, fmt::format("the file gives no displacement (X(1)=) of body {}, which is at {}: "
+                                         "expected each body of BODIES.DAT once",
+                                         body.id, body.place.text()));
+    if (body.spatial && body.has_corners() && !turned.contains(body.id))
+      throw InputError(path, fmt::format("the file gives no axes (a, b and g) of body {}, which is at {}",
+                                         body.id, body.place.text()));
+  }
+}
+
 /// Adds the displacements in the file DOF.INI to the positions of the bodies.
 void add_displacements(const std::string& path, std::vector<Body>& bodies) {
   if (!fs::exists(path)) return;
   std::map<std::int64_t, std::size_t> index;
   for (std::size_t b = 0; b < bodies.size(); ++b) index[bodies[b].id] = b;
+  std::set<std::int64_t> displaced, turned;
   DatFile file(path);
   Body* body = nullptr;
   while (file.next()) {
@@ -232,13 +202,21 @@ void add_displacements(const std::string& path, std::vector<Body>& bodies) {
       if (found == index.end())
         throw InputError(file.place(), fmt::format("body {} is not in BODIES.DAT", words[1]));
       body = &bodies[found->second];
+    } else if (words[0] == "$$$$$$") {
+      body = nullptr;
     } else if (body && file.has("X(1)=")) {
+      if (!displaced.insert(body->id).second)
+        throw InputError(file.place(),
+                         fmt::format("body {} is displaced a second time, expected each body once", body->id));
       body->position.head<2>() += Eigen::Vector2d(file.number("X(1)="), file.number("X(2)="));
       (body->spatial ? body->position[2] : body->angle) += file.number("X(3)=");
     } else if (body) {
       read_axis(file, *body);
+      if (file.has("g(1)=")) turned.insert(body->id);
     }
   }
+  if (body != nullptr) throw InputError(file.place(), "the file ends within a body: expected a line $$$$$$");
+  require_all_displaced(path, bodies, displaced, turned);
 }
 
 /// Density of each material, and gravity, from the file BULK_BEHAV.DAT.
@@ -274,77 +252,16 @@ WallSide add_bar(const Body& bar, const Eigen::Vector3d& middle, ListedSpace& sp
   return wall;
 }
 
-/// Reads the contacts in the file Vloc_Rloc.INI. LMGC90 lists all neighbouring pairs; pairs with a gap and without
-/// force are left out.
-std::vector<ListedContact> read_contacts(const std::string& path,
-                                         const std::map<std::int64_t, WallSide>& walls) {
-  std::vector<ListedContact> contacts;
-  if (!fs::exists(path)) return contacts;
-  DatFile file(path);
-  ListedContact c;
-  Eigen::Vector3d local =
-      Eigen::Vector3d::Zero();  // components of the force along the tangent t, the normal n and the tangent s
-  Eigen::Vector3d t = Eigen::Vector3d::Zero(), n = t, s = t;
-  double gap = 0.0;
-  bool open = false, spatial = false, framed = false, forced = false;
-  const auto finish = [&] {
-    if (!open) return;
-    if (!framed)
-      throw InputError(c.place.text(), "the contact has no normal, expected a line n(1)= n(2)= n(3)=");
-    if (!forced)
-      throw InputError(c.place.text(), "the contact has no force, expected a line rlt/H rln/H rls/H");
-    open = false;
-    if (local.isZero(0.0) && gap > 0.0) return;
-    if (!spatial) t = Eigen::Vector3d(n[1], -n[0], 0.0);
-    c.force = local[0] * t + local[1] * n + local[2] * s;
-    c.normal = -n;  // n points to the candidate, the first body
-    c.gap = gap;
-    name_wall(walls, c);
-    contacts.push_back(c);
-  };
-  while (file.next()) {
-    const auto words = file.words();
-    // No line marks the end of a contact. A contact is complete when the next contact begins, or when the file ends.
-    if (words[0] == "$icdan") {
-      finish();
-      c = ListedContact{};
-      t.setZero(), n.setZero(), s.setZero(), local.setZero();
-      gap = 0.0;
-      framed = forced = false;
-      c.place = file.file_line();
-    } else if (words[0] == "RBDY2" || words[0] == "RBDY3") {
-      spatial = words[0] == "RBDY3";
-      std::vector<std::int64_t> ids;
-      for (std::size_t k = 0; k + 1 < words.size(); ++k)
-        if (words[k] == words[0])
-          if (const auto id = parse_number<std::int64_t>(words[k + 1])) ids.push_back(*id);
-      if (ids.size() != 2)
-        throw InputError(file.place(), fmt::format("the contact has {} bodies, expected two", ids.size()));
-      c.id1 = ids[0], c.id2 = ids[1];
-      open = true;
-    } else if (file.has("rln/H")) {
-      // LMGC90 computes impulses. Each number in this line is an impulse divided by the time step H, which is a force.
-      forced = true;
-      local = {file.number("rlt/H"), file.number("rln/H"), spatial ? file.number("rls/H") : 0.0};
-    } else if (file.has("gapTT")) {
-      gap = file.number("gapTT");
-    } else if (file.has("coo1=")) {
-      c.point = {file.number("coo1="), file.number("coo2="), spatial ? file.number("coo3=") : 0.0};
-    } else {
-      // In 3D, the tangents t and s must be read, because the normal n does not determine them. In 2D, finish()
-      // computes t from n.
-      for (const auto& [name, vector] : {std::pair{"t", &t}, std::pair{"n", &n}, std::pair{"s", &s}})
-        if (file.has(fmt::format("{}(1)=", name)))
-          for (int a = 0; a < 3; ++a) (*vector)[a] = file.number(fmt::format("{}({})=", name, a + 1));
-      framed = framed || file.has("n(1)=");
-    }
-  }
-  finish();
-  return contacts;
+/// Returns the shape of the convex hull of a body. If the body is not convex, adds its place to `dented`.
+template <int Dim>
+Shape<Dim> convex_shape(const std::string& place, const Mesh<Dim>& mesh, std::vector<std::string>& dented) {
+  NamedShape<Dim> made = shape_of_mesh<Dim>(place, mesh, {});
+  for (const std::string& remark : made.remarks) dented.push_back(place + ": " + remark);
+  return std::move(made.shape);
 }
 
 /// Adds the shape of a body to the shapes of the packing. @return index of the shape
-int add_shape(const Body& body, ListedPacking& listed) {
+int add_shape(const Body& body, ListedPacking& listed, std::vector<std::string>& dented) {
   const std::string place = body.place.text();
   if (!body.spatial) {
     if (body.is_round()) {
@@ -352,7 +269,7 @@ int add_shape(const Body& body, ListedPacking& listed) {
     } else {
       Mesh<2> mesh;
       for (const Eigen::Vector3d& vertex : body.vertices) mesh.vertices.emplace_back(vertex.head<2>());
-      listed.shapes.in_2d.push_back(shape_of_mesh<2>(place, mesh, {}).shape);
+      listed.shapes.in_2d.push_back(convex_shape<2>(place, mesh, dented));
     }
     return static_cast<int>(listed.shapes.in_2d.size()) - 1;
   }
@@ -370,7 +287,7 @@ int add_shape(const Body& body, ListedPacking& listed) {
     mesh.vertices = body.vertices;
     mesh.faces = body.faces;
     mesh.is_oriented = false;
-    listed.shapes.in_3d.push_back(shape_of_mesh<3>(place, mesh, {}).shape);
+    listed.shapes.in_3d.push_back(convex_shape<3>(place, mesh, dented));
   }
   return static_cast<int>(listed.shapes.in_3d.size()) - 1;
 }
@@ -379,6 +296,7 @@ int add_shape(const Body& body, ListedPacking& listed) {
 /// get shapes, including disks and spheres.
 void add_grains(const std::vector<Body>& bodies, const Bulk& bulk, ListedPacking& listed) {
   const bool round = std::none_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.has_corners(); });
+  std::vector<std::string> dented;
   for (const Body& body : bodies) {
     if (!body.is_round() && !body.has_corners()) continue;
     ListedGrain grain;
@@ -388,7 +306,8 @@ void add_grains(const std::vector<Body>& bodies, const Bulk& bulk, ListedPacking
     grain.radius = body.radius;
     if (body.is_round() && !(grain.radius > 0.0))
       throw InputError(body.place.text(), fmt::format("byrd = {}, must be positive", grain.radius));
-    if (!round) set_shape(listed.shapes, add_shape(body, listed), 1.0, body.position, body.turn(), grain);
+    if (!round)
+      set_shape(listed.shapes, add_shape(body, listed, dented), 1.0, body.position, body.turn(), grain);
     const auto density = bulk.density.find(body.material);
     if (density != bulk.density.end())
       grain.mass = density->second *
@@ -398,6 +317,11 @@ void add_grains(const std::vector<Body>& bodies, const Bulk& bulk, ListedPacking
                                                       *grain.mass, body.mean_radius, density->second));
     listed.grains.push_back(std::move(grain));
   }
+  if (dented.empty()) return;
+  listed.remarks.push_back(dented.front());
+  if (dented.size() > 1)
+    listed.remarks.push_back(
+        fmt::format("of {} bodies in all, the convex hull leaves out vertices or volume", dented.size()));
 }
 
 }  // namespace
@@ -417,7 +341,8 @@ Imported read_lmgc90(const std::string& path, const ImportOptions& options) {
   const fs::path folder = fs::path(bodies_path).parent_path();
   std::vector<Body> bodies = read_bodies(bodies_path);
   add_displacements((folder / "DOF.INI").string(), bodies);
-  const Bulk bulk = read_bulk((folder / "BULK_BEHAV.DAT").string());
+  const std::string bulk_path = (folder / "BULK_BEHAV.DAT").string();
+  const Bulk bulk = read_bulk(bulk_path);
   ListedPacking listed = listed_packing(bodies_path, options);
   listed.space.place = bodies_path;
   listed.space.dimension = bodies.front().spatial ? 3 : 2;
@@ -425,6 +350,11 @@ Imported read_lmgc90(const std::string& path, const ImportOptions& options) {
   listed.space.periodic = {false, false, false};
   listed.space.boundary =
       "files of LMGC90 contain no periodic directions, and there is no wall across this axis";
+  if (!fs::exists(bulk_path))
+    listed.remarks.push_back(fmt::format(
+        "there is no file {}, which gives densities and gravity: gravity is left out, and the mass of a "
+        "ball of diameter d is taken as d^{}",
+        bulk_path, *listed.space.dimension));
   add_grains(bodies, bulk, listed);
   // The file does not say on which side of a bar or plate the grains lie. The mean position of the grains determines
   // this side, so the grains must be known before the walls are added.
@@ -445,7 +375,7 @@ Imported read_lmgc90(const std::string& path, const ImportOptions& options) {
   }
   // If no contacts are listed, `listed.contacts` remains absent, and the contacts are found from the geometry. An empty
   // list would mean that no grains touch.
-  if (auto contacts = read_contacts((folder / "Vloc_Rloc.INI").string(), walls); !contacts.empty())
+  if (auto contacts = read_lmgc90_contacts((folder / "Vloc_Rloc.INI").string(), walls); !contacts.empty())
     listed.contacts = std::move(contacts);
   return assemble(std::move(listed), options);
 }

@@ -18,20 +18,12 @@
 #include "floc/io/keyed_line.h"
 #include "floc/io/listed_bodies.h"
 #include "floc/io/listed_packing.h"
+#include "floc/io/listed_points.h"
+#include "floc/io/rockable_shapes.h"
 #include "floc/shape/mesh_files.h"
-#include "floc/shape/read_shapes.h"
 
 namespace floc {
 namespace {
-
-/// The shapes in the file of shapes; the key is the name of the shape. A shape consists of all points whose distance
-/// from a vertex, edge or face of the mesh is at most the member `rounding` of the mesh.
-using RockableShapes = std::map<std::string, Mesh<3>>;
-
-/// Whether a shape is a sphere, that is, its only vertex is at its centre.
-bool is_sphere(const Mesh<3>& shape) {
-  return shape.vertices.size() == 1 && shape.vertices.front().isZero(0.0);
-}
 
 /// Lines of a text file, without comments and empty lines.
 class ConfigurationLines {
@@ -62,15 +54,6 @@ class ConfigurationLines {
   int number_ = 0;
 };
 
-RockableShapes read_rockable_shapes(const std::string& path) {
-  RockableShapes shapes;
-  for (Mesh<3>& mesh : parse_rockable(path, read_text(path))) {
-    const std::string name = mesh.name;
-    shapes.insert_or_assign(name, std::move(mesh));
-  }
-  return shapes;
-}
-
 /// One body of a configuration.
 struct RockableBody {
   FileLine place;
@@ -88,12 +71,14 @@ struct Configuration {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   std::map<std::int64_t, double> density;  ///< density of each group of bodies
   bool periodic = false;
+  std::string periodic_place;  ///< line of usePeriodicCell, for messages
   std::vector<std::vector<double>> cell;
   std::vector<RockableBody> bodies;
   std::vector<ListedContact> contacts;
 };
 
 RockableBody read_body(const KeyedLine& line) {
+  constexpr double kLeastQuaternion = 1e-6;  // a shorter quaternion has no direction within rounding
   RockableBody body;
   body.place = line.file_line();
   body.shape = line.word(0);
@@ -101,9 +86,13 @@ RockableBody read_body(const KeyedLine& line) {
   body.scale = line.number(3, "the homothety");
   body.position = line.vector(4, "the position");
   const Eigen::Vector3d imaginary = line.vector(14, "the orientation");
-  body.orientation =
-      Eigen::Quaterniond(line.number(13, "the orientation"), imaginary[0], imaginary[1], imaginary[2])
-          .normalized();
+  const Eigen::Quaterniond turn(line.number(13, "the orientation"), imaginary[0], imaginary[1], imaginary[2]);
+  if (!(turn.norm() > kLeastQuaternion))
+    throw InputError(
+        line.place(),
+        fmt::format("the orientation is the quaternion {} {} {} {}, expected a quaternion of length 1",
+                    turn.w(), turn.x(), turn.y(), turn.z()));
+  body.orientation = turn.normalized();
   return body;
 }
 
@@ -117,7 +106,12 @@ ListedContact read_interaction(const KeyedLine& line) {
   c.id2 = line.integer(1, "the second body");
   constexpr std::int64_t kEdgeEdge = 3;
   const std::int64_t type = line.integer(2, "the type");
-  const Eigen::Vector3d to_first = line.vector(5, "the normal");
+  if (type < 0 || type > kEdgeEdge)
+    throw InputError(line.place(),
+                     fmt::format("the type of the interaction is {}, expected 0 (two vertices), 1 (vertex and "
+                                 "edge), 2 (vertex and face) or 3 (two edges)",
+                                 type));
+  const Eigen::Vector3d to_first = unit_normal(c.place, line.vector(5, "the normal"));
   c.normal = -to_first;
   c.kind = type == kEdgeEdge ? ContactType::kEdgeEdge : ContactType::kVertexFace;
   c.gap = line.number(8, "dn");
@@ -144,7 +138,10 @@ Configuration read_configuration(const std::string& path) {
     if (key == "nDriven") out.n_driven = line->integer(1, "nDriven");
     if (key == "gravity") out.gravity = line->vector(1, "gravity");
     if (key == "density") out.density[line->integer(1, "the group")] = line->number(2, "density");
-    if (key == "usePeriodicCell") out.periodic = line->integer(1, "usePeriodicCell") != 0;
+    if (key == "usePeriodicCell") {
+      out.periodic = line->integer(1, "usePeriodicCell") != 0;
+      out.periodic_place = line->place();
+    }
     if (key == "h") {  // the lattice vectors are the columns of the matrix h
       out.cell.assign(3, std::vector<double>(3));
       for (std::size_t k = 0; k < 9; ++k) out.cell[k % 3][k / 3] = line->number(k + 1, "the cell h");
@@ -190,54 +187,43 @@ WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::V
   return wall;
 }
 
-/// Shapes of the bodies in a configuration. A shape is added to the table of shapes of the packing when the first grain
-/// with this shape is made.
-class Bodies {
- public:
-  explicit Bodies(const std::string& path) : path_(path), meshes_(read_rockable_shapes(path)) {}
+/// Checks that a periodic configuration has a cell, and no walls, unless the user gives the cell or the walls.
+/// @throws InputError naming the line of usePeriodicCell
+void require_one_boundary(const Configuration& from, const ImportOptions& options) {
+  if (!from.periodic) return;
+  if (from.cell.empty() && options.cell.empty())
+    throw InputError(
+        from.periodic_place,
+        "usePeriodicCell is 1, but the configuration has no cell: expected a line h with nine numbers, "
+        "or --cell");
+  if (from.n_driven > 0 && options.walls.empty())
+    throw InputError(
+        from.periodic_place,
+        fmt::format("usePeriodicCell is 1, but {} bodies are driven (nDriven), which floc reads as "
+                    "walls: a packing of Rockable is either periodic or between walls; give the walls "
+                    "with --walls",
+                    from.n_driven));
+}
 
-  const Mesh<3>& mesh(const RockableBody& body) const {
-    const auto found = meshes_.find(body.shape);
-    if (found != meshes_.end()) return found->second;
-    throw InputError(body.place.text(),
-                     fmt::format("the shape {} is not in the file of shapes, {}", body.shape, path_));
-  }
-
-  /// Returns the index of the shape of a body in the table of shapes of the packing. Adds the shape to the table if it
-  /// is new.
-  int index(const RockableBody& body, ListedPacking& listed) {
-    const auto [at, is_new] = indices_.try_emplace(body.shape, static_cast<int>(listed.shapes.in_3d.size()));
-    if (is_new) listed.shapes.in_3d.push_back(make_shape(mesh(body), listed.remarks));
-    return at->second;
-  }
-
- private:
-  Shape<3> make_shape(const Mesh<3>& mesh, std::vector<std::string>& remarks) const {
-    if (is_sphere(mesh)) return round_shape<3>(mesh.rounding);
-    const std::string place = fmt::format("{}, shape \"{}\"", path_, mesh.name);
-    if (!mesh.is_principal)
-      throw InputError(
-          place,
-          "the shape has no line \"preCompDone y\": expected vertices in coordinates about the centre of "
-          "mass and along the principal axes of inertia, as Rockable computes them");
-    NamedShape<3> made = shape_of_mesh<3>(place, mesh, {});
-    for (const std::string& remark : made.remarks) remarks.push_back(place + ": " + remark);
-    return std::move(made.shape);
-  }
-
-  std::string path_;
-  RockableShapes meshes_;
-  std::map<std::string, int> indices_;
-};
+/// Says which grains have no mass, because the file gives no density of their group or no volume of their shape.
+void add_remark_on_densities(const Configuration& from, ListedPacking& listed) {
+  const auto without = std::ranges::count_if(listed.grains, [](const ListedGrain& g) { return !g.mass; });
+  if (without == 0 || !from.gravity.isZero(0.0)) return;  // assemble() says so of grains with weights
+  listed.remarks.push_back(fmt::format(
+      "there is no mass for {} of {} grains, as the configuration gives no density of their group, or "
+      "the file of shapes no volume: the mass of a ball of diameter d is taken as d^3",
+      without, listed.grains.size()));
+}
 
 /// Makes the grains from the bodies that are not driven. If any of these bodies has corners, all grains get shapes,
 /// including spheres.
-void add_grains(const Configuration& from, Bodies& bodies, ListedPacking& listed) {
+void add_grains(const Configuration& from, RockableShapes& bodies, ListedPacking& listed) {
   const auto first = from.bodies.begin() + from.n_driven;
-  const bool round = std::all_of(first, from.bodies.end(),
-                                 [&](const RockableBody& body) { return is_sphere(bodies.mesh(body)); });
+  const bool round = std::all_of(first, from.bodies.end(), [&](const RockableBody& body) {
+    return is_sphere(bodies.mesh(body.place, body.shape));
+  });
   for (auto body = first; body != from.bodies.end(); ++body) {
-    const Mesh<3>& mesh = bodies.mesh(*body);
+    const Mesh<3>& mesh = bodies.mesh(body->place, body->shape);
     if (!(body->scale > 0.0 && mesh.rounding > 0.0))
       throw InputError(body->place.text(), fmt::format("homothety = {} and radius = {}, must be positive",
                                                        body->scale, mesh.rounding));
@@ -247,7 +233,7 @@ void add_grains(const Configuration& from, Bodies& bodies, ListedPacking& listed
     grain.position = body->position;
     grain.radius = body->scale * mesh.rounding;
     if (!round)
-      set_shape(listed.shapes, bodies.index(*body, listed), body->scale, body->position,
+      set_shape(listed.shapes, bodies.index(body->place, body->shape, listed), body->scale, body->position,
                 body->orientation.toRotationMatrix(), grain);
     const auto density = from.density.find(body->group);
     if (density != from.density.end() && mesh.volume > 0.0)
@@ -289,8 +275,9 @@ bool is_rockable(const std::string& path) {
 
 Imported read_rockable(const std::string& path, const ImportOptions& options) {
   Configuration from = read_configuration(path);
+  require_one_boundary(from, options);
   const std::string shape_path = (std::filesystem::path(path).parent_path() / from.shape_file).string();
-  Bodies bodies(shape_path);
+  RockableShapes bodies(shape_path);
   ListedPacking listed = listed_packing(path, options);
   listed.space.place = path;
   listed.space.dimension = 3;
@@ -299,13 +286,14 @@ Imported read_rockable(const std::string& path, const ImportOptions& options) {
   listed.space.periodic.assign(3, from.periodic);
   listed.space.boundary = "the configuration has no periodic cell and no wall across this axis";
   add_grains(from, bodies, listed);
+  add_remark_on_densities(from, listed);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const ListedGrain& grain : listed.grains)
     middle += grain.position / static_cast<double>(listed.grains.size());
   std::map<std::int64_t, WallSide> walls;
   for (std::int64_t k = 0; k < from.n_driven && options.walls.empty(); ++k) {
     const RockableBody& body = from.bodies[static_cast<std::size_t>(k)];
-    walls.emplace(k, add_face(body, bodies.mesh(body), middle, listed.space));
+    walls.emplace(k, add_face(body, bodies.mesh(body.place, body.shape), middle, listed.space));
   }
   for (ListedContact& c : from.contacts) name_wall(walls, c);
   if (!from.contacts.empty()) {

@@ -29,6 +29,27 @@ std::string shape_file(const std::string& path) {
   return std::filesystem::path(path).filename().replace_extension(".shp").string();
 }
 
+/// Checks the name of a configuration, whose file of shapes has the same name with the extension .shp.
+/// @throws InputError if the configuration cannot refer to this file, or if both files would be the same
+void require_two_files(const std::string& path) {
+  const std::string shapes = shape_file(path);
+  if (path == "-")
+    throw InputError(
+        path,
+        "a packing of Rockable consists of a configuration and a file of shapes, but standard output is "
+        "one file: give the name of a file that ends in .conf");
+  if (std::filesystem::path(path).filename() == shapes)
+    throw InputError(
+        path,
+        "the file of shapes, which belongs to the configuration, would have the same name: give the "
+        "configuration another extension, such as .conf");
+  if (shapes.find_first_of(" \t\n\r\f\v#") != std::string::npos)
+    throw InputError(
+        path, fmt::format("the configuration names its file of shapes, \"{}\", in one word, but this name has "
+                          "a blank or #: give a name without them",
+                          shapes));
+}
+
 /// Text of one shape: name, radius of rounding, mass properties, vertices, edges and faces.
 struct ShapeText {
   std::string name;
@@ -317,6 +338,7 @@ class ConfigurationText {
 }  // namespace
 
 void write_rockable(const std::string& path, const AnyState& any) {
+  require_two_files(path);
   const auto* state = std::get_if<State<3>>(&any);
   if (state == nullptr)
     throw InputError(path, "the packing is two-dimensional, but the bodies of Rockable are three-dimensional");

@@ -11,7 +11,8 @@ namespace floc {
 /// grains in the list of bodies, and contacts become interactions with forces. The files contain no contact law, no
 /// stiffnesses and no rolling or twisting moments.
 /// @throws InputError for packings that Rockable cannot represent: packings in 2D, packings that are periodic along
-/// some axes only, bonds, and shapes without rounding
+/// some axes only, bonds, and shapes without rounding; also for the path "-" (standard output), and for file names that
+/// end in .shp or have blanks or #
 void write_rockable(const std::string& path, const AnyState& state);
 
 }  // namespace floc

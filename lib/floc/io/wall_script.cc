@@ -101,9 +101,12 @@ class WallScript {
     ListedWalls walls;
     for (const auto& [id, fix] : fixes_) {
       if (fix.word(3).starts_with("wall/gran")) add_walls(fix, walls.planes);
-      if (fix.word(3) == "gravity") walls.gravity = gravity_of(fix);
+      if (fix.word(3) == "gravity")  // LAMMPS adds the accelerations of several commands
+        walls.gravity = walls.gravity.value_or(Eigen::Vector3d::Zero()) + gravity_of(fix);
+      if (fix.word(3).starts_with("wall/gran") || fix.word(3) == "gravity")
+        add_doubt_of_group(fix, walls.doubts);
     }
-    walls.doubts = doubts_;
+    walls.doubts.insert(walls.doubts.end(), doubts_.begin(), doubts_.end());
     if (walls.planes.empty())
       throw InputError(path_, fmt::format("the script has no wall: expected a command \"fix ID group wall/gran "
                                           "...\"{}{}",
@@ -159,6 +162,15 @@ class WallScript {
     if (word.starts_with("v_")) name = word.substr(2);
     const auto found = variables_.find(name);
     return found == variables_.end() ? word : found->second;
+  }
+
+  /// Says that a command `fix` acts on a group of grains, because floc applies it to all grains.
+  static void add_doubt_of_group(const ScriptCommand& fix, std::vector<std::string>& doubts) {
+    if (fix.word(2) == "all") return;
+    doubts.push_back(fmt::format(
+        "{}: the fix {} of style {} acts on the group {}, expected all: floc applies it to all grains, so "
+        "that the packing is another one if a grain is not in this group",
+        fix.place, fix.word(1), fix.word(3), fix.word(2)));
   }
 
   double number(const ScriptCommand& command, std::size_t k, const std::string& what) const {

@@ -18,7 +18,8 @@ namespace floc {
 /// A fix that the script removes by the commands unfix or clear is left out. `${name}` is replaced by the number that
 /// the command `variable name equal` gives; variables of the style index keep their first value. Lengths in a region
 /// are in spacings of the command `lattice`, unless the region has "units box". Other commands are ignored; conditions,
-/// loops and jumps are not followed. Conditions that may add or remove a wall are reported in ListedWalls::doubts.
+/// loops and jumps are not followed. The accelerations of several fixes gravity are added. Conditions that may add or
+/// remove a wall, and fixes of groups other than all, are reported in ListedWalls::doubts.
 /// @throws InputError if the script has no wall; naming the line if a wall moves or is not a plane perpendicular to an
 /// axis, if a number is expected but the word is not a number, or if a mesh or region is unknown
 ListedWalls walls_of_script(const std::string& path);

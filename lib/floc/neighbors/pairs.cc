@@ -350,6 +350,10 @@ std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Di
   return sorted(pairs, grains.size());
 }
 
+double most_pairs_in_memory(int n_grains) {
+  return std::max(1000.0, kMostPairsInMemory / n_grains);
+}
+
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_wall_pairs(const std::vector<Wall<Dim>>& walls, const Grains<Dim>& grains,
                                                double gap) {

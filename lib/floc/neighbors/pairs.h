@@ -36,6 +36,13 @@ template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap,
                                           double most_per_grain = 1000.0);
 
+/// Largest number of pairs whose search fits into memory: they need 5 GB.
+inline constexpr double kMostPairsInMemory = 2.5e8;
+
+/// Returns the limit `most_per_grain` of find_pairs() for wide gaps, across which a grain may have thousands of
+/// neighbours: the number of pairs per grain that fits into memory.
+double most_pairs_in_memory(int n_grains);
+
 /// Finds every pair of a grain and a wall whose surfaces are closer than `gap` (length). The pairs are sorted by
 /// (i, j), where i is the index of the grain and j the index of the wall in `walls`. A grain whose centre lies beyond a
 /// wall is paired with that wall, too.

@@ -7,6 +7,10 @@
 
 #include "floc/base/error.h"
 #include "floc/planning/duration.h"
+#include "floc/prices/accuracy.h"
+#include "floc/scene/cost_model.h"
+#include "floc/scene/derived_groups.h"
+#include "floc/scene/scene_softening.h"
 #include "floc/tradeoff/path_fits.h"
 #include "floc/tradeoff/sample_path.h"
 #include "floc/tradeoff/studied_setting.h"
@@ -32,6 +36,52 @@ constexpr double kShareOfManyGrains = 0.5;
 /// sample.
 constexpr double kLeastGrowth = 2.0, kLargestGrowth = 20.0;
 
+/// Factor within which the expected processor time of a pilot is correct: of settings and grains for which a table of
+/// prices or an estimate under pressures exists, and of other scenes (derived_groups.h).
+constexpr double kUncertainty = 2.0, kUncertaintyOfStrains = 10.0;
+
+/// Expected processor time of the samples that a pilot always runs.
+struct ExpectedTime {
+  double seconds;      ///< time of all these samples (s)
+  double uncertainty;  ///< factor within which `seconds` is correct
+};
+
+/// Returns the expected processor time of samples of two sizes.
+/// @param n_small  number of grains of a smaller sample; 0 if no such samples are run
+ExpectedTime expected_time(const Scene& scene, int n_large, int n_small, const PriceTable* prices) {
+  const auto of_samples = [&](const auto& seconds) {
+    return kSamples * seconds(n_large) + (n_small > 0 ? kSmallSamples * seconds(n_small) : 0.0);
+  };
+  if (prices) {
+    const CostModel model(scene, *prices);
+    return {of_samples([&](int n) { return model.core_seconds(model.settings_of_scene(), n); }), kUncertainty};
+  }
+  const bool is_strained = std::ranges::count(strained_stages(scene), true) > 0;
+  Scene sized = scene;
+  const double seconds = of_samples([&](int n) {
+    sized.grains.count = n;
+    return expected_cost(sized);
+  });
+  return {seconds, is_strained && !scene.has_contact_dynamics() ? kUncertaintyOfStrains : kUncertainty};
+}
+
+/// Returns the budget, in words, of which a pilot may take `seconds`.
+std::string budget_for(double seconds) {
+  return duration_in_words(std::stod(rounded_up(seconds / kShareOfPilot)));
+}
+
+/// @throws InputError if the samples can clearly not be completed within the limit (s)
+void require_time(const ExpectedTime& expected, double limit, int n_grains) {
+  if (expected.seconds <= expected.uncertainty * limit) return;
+  throw InputError(
+      "--pilot",
+      fmt::format("the samples of {} grains would not be complete within {} of processor time, because all "
+                  "samples are expected to take {}: expected a --budget of at least {}, of which a pilot takes "
+                  "at most a fifth, or a shorter load path",
+                  n_grains, duration_in_words(limit), duration_in_words(expected.seconds),
+                  budget_for(kUncertainty * expected.seconds)));
+}
+
 /// Runs the k-th sample with the settings of the scene.
 SamplePath sample(const Scene& scene, int n_grains, int k, const Deadline& deadline) {
   StudiedSetting setting = studied_settings(scene)[1];
@@ -40,21 +90,36 @@ SamplePath sample(const Scene& scene, int n_grains, int k, const Deadline& deadl
                      deadline);
 }
 
-std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples, const Deadline& deadline,
-                                double limit) {
+/// Limit of the processor time of a pilot, and what is known about the time that it needs.
+struct PilotTime {
+  Deadline deadline;
+  double limit;     ///< processor time that the pilot may take (s)
+  double expected;  ///< expected processor time (s)
+  int n_done = 0;   ///< number of samples that are complete
+};
+
+/// Reports that the time of a pilot was used up, with a budget that is expected to be sufficient.
+[[noreturn]] void refuse_limit(const PilotTime& time, int n_grains) {
+  const double by_samples = time.limit * (kSamples + kSmallSamples) / (time.n_done + 1.0);
+  throw InputError("--pilot",
+                   fmt::format("the samples of {} grains are not complete within {} of processor time: "
+                               "give a --budget of {}, of which a pilot takes at most a fifth, or a shorter "
+                               "load path",
+                               n_grains, duration_in_words(time.limit),
+                               budget_for(kUncertainty * std::max(time.expected, by_samples))));
+}
+
+std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples, PilotTime& time) {
   std::vector<SamplePath> paths;
   for (int k = 0; k < n_samples; ++k) {
-    SamplePath path = sample(scene, n_grains, k, deadline);
-    if (path.out_of_time)
-      throw InputError("--pilot",
-                       fmt::format("the samples of {} grains are not complete within {} of processor time: "
-                                   "give a larger --budget, or a shorter load path",
-                                   n_grains, duration_in_words(limit)));
+    SamplePath path = sample(scene, n_grains, k, time.deadline);
+    if (path.out_of_time) refuse_limit(time, n_grains);
     if (!path.whole())
       throw NoResult(
           fmt::format("--pilot: a sample of {} grains did not reach equilibrium: {}", n_grains, path.failure));
     path.drop_packings();
     paths.push_back(std::move(path));
+    ++time.n_done;
   }
   return paths;
 }
@@ -105,7 +170,7 @@ std::vector<ObservablePrice> scatter_between(const Scene& scene, const std::vect
 
 }  // namespace
 
-PilotResult run_pilot(const Scene& scene, double limit) {
+PilotResult run_pilot(const Scene& scene, double limit, const PriceTable* prices) {
   if (scene.starts_from_state())
     throw InputError("assembly.protocol = \"state\"",
                      "a plan chooses the number of grains, so the samples must be made from a gas and not from "
@@ -113,20 +178,23 @@ PilotResult run_pilot(const Scene& scene, double limit) {
   const bool is_listed = scene.grains.diameter.kind == DiameterDistribution::Kind::list;
   const int n_large =
       is_listed ? scene.grains.count : std::min(scene.grains.count, scene.dimension == 2 ? kDisks : kSpheres);
-  const Deadline deadline(limit);
-  const std::vector<SamplePath> large = samples(scene, n_large, kSamples, deadline, limit);
+  const bool has_two_sizes = !is_listed && n_large >= 4;
+  const ExpectedTime expected = expected_time(scene, n_large, has_two_sizes ? n_large / 2 : 0, prices);
+  require_time(expected, limit, n_large);
+  PilotTime time{Deadline(limit), limit, expected.seconds};
+  const std::vector<SamplePath> large = samples(scene, n_large, kSamples, time);
   PilotResult result{n_large,
                      kSamples,
                      mean_seconds(large),
                      0.5 * (kLeastExponent + kLargestExponent),
                      scatter_between(scene, large),
                      n_large};
-  if (!is_listed && n_large >= 4) {
-    const std::vector<SamplePath> small = samples(scene, n_large / 2, kSmallSamples, deadline, limit);
+  if (has_two_sizes) {
+    const std::vector<SamplePath> small = samples(scene, n_large / 2, kSmallSamples, time);
     const double ratio = static_cast<double>(n_large) / (n_large / 2);
     result.cost_exponent = std::clamp(exponent_between(mean_seconds(small), result.core_seconds, ratio),
                                       kLeastExponent, kLargestExponent);
-    measure_many_grains(scene, deadline, result);
+    measure_many_grains(scene, time.deadline, result);
   }
   return result;
 }

@@ -162,13 +162,13 @@ std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& obse
   const fs::path folder = fs::absolute(output).parent_path();
   std::string text = fmt::format(
       "# A plan for {0}, made by floc plan: {1} samples of {2} grains. The commands\n#\n"
-      "#   floc campaign plan {3} -o {4}\n#   cd {4} && snakemake --cores 2\n#   floc plan --check {4}\n#\n"
+      "#   floc campaign plan {3} -o {4}\n#   cd {4} && snakemake --cores {8}\n#   floc plan --check {4}\n#\n"
       "# make the runs and tables of the plan, and compare them with its promises.\n\n[campaign]\nscene = "
       "{5}\nseeds = "
       "\"{6}..{7}\"\n",
       scene.name, plan.n_samples, plan.n_grains, output, fs::path(output).stem().string(),
       string_literal(fs::absolute(source.scene_file).lexically_proximate(folder).generic_string()), scene.seed,
-      scene.seed + static_cast<std::uint64_t>(plan.n_samples) - 1);
+      scene.seed + static_cast<std::uint64_t>(plan.n_samples) - 1, source.cores);
   text += fmt::format("\n[[case]]\nname = \"plan\"\nset = {{{}}}\n", fmt::join(settings, ", "));
   return text + collections_of(observables) + promise_of(plan, observables, source.prices);
 }

@@ -12,6 +12,7 @@ struct PlanSource {
   std::string scene_file;              ///< path of the scene file
   std::vector<std::string> overrides;  ///< texts "key.path=value" that change the scene, see read_scene()
   std::string prices;                  ///< source of the prices, such as the name of a table of prices
+  int cores = 1;                       ///< number of cores for which the plan is made
 };
 
 /// Whether an observable is a parameter of the fit of the consolidation law to paths.

@@ -1,6 +1,7 @@
 #include "floc/planning/plans_of_scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 
@@ -16,8 +17,8 @@ namespace {
 
 /// Number of plans that floc plan lists.
 constexpr int kPlans = 3;
-/// Largest processor time of a pilot: as a share of the budget or, if no budget is given, as a time (s).
-constexpr double kShareOfPilot = 0.2, kPilotSeconds = 600.0;
+/// Largest processor time of a pilot (s) if no budget is given.
+constexpr double kPilotSeconds = 600.0;
 /// If the ratio of the number of grains of a plan to the number of grains in the table exceeds this value, a remark
 /// says that prices are extrapolated.
 constexpr double kFarExtrapolation = 10.0;
@@ -61,10 +62,10 @@ std::optional<PriceTable> prices_for(const PlanWishes& wishes, const Scene& scen
   return std::move(found.table);
 }
 
-PilotResult measured_pilot(const Scene& scene, const std::optional<double>& budget,
-                           const PlansOfScene::Remark& tell) {
+PilotResult measured_pilot(const Scene& scene, const std::optional<PriceTable>& prices,
+                           const std::optional<double>& budget, const PlansOfScene::Remark& tell) {
   const double limit = budget ? kShareOfPilot * *budget : kPilotSeconds;
-  const PilotResult pilot = run_pilot(scene, limit);
+  const PilotResult pilot = run_pilot(scene, limit, prices ? &*prices : nullptr);
   tell(
       fmt::format("pilot: a sample of {} grains takes {}; this time is proportional to the number of grains to "
                   "the power {:.2f}",
@@ -102,6 +103,24 @@ void tell_best(const Plan& best, const PriceModel& model, const PlanRequest& req
         model.measured_grains()));
 }
 
+/// Names, for each plan, the observables whose promised error is smaller than the table of prices can tell.
+void tell_unknown_differences(const PlanChoice& choice, const PriceModel& model,
+                              const PlansOfScene::Remark& tell) {
+  for (std::size_t p = 0; p < choice.plans.size(); ++p) {
+    const Plan& plan = choice.plans[p];
+    std::vector<std::string> unknown;
+    for (std::size_t k = 0; k < choice.observables.size(); ++k)
+      if (const double h = model.unknown_difference(choice.observables[k], plan.settings);
+          h > plan.errors[k].total())
+        unknown.push_back(fmt::format("{} +- {:.2g}", choice.observables[k].name, h));
+    if (!unknown.empty())
+      tell(
+          fmt::format("plan {} ({}): the table of prices knows the differences that these settings cause only "
+                      "within intervals that exceed the promised errors: {}",
+                      p + 1, plan.settings.name(), fmt::join(unknown, ", ")));
+  }
+}
+
 }  // namespace
 
 PlansOfScene::PlansOfScene(PlanWishes wishes, const Remark& tell)
@@ -111,18 +130,19 @@ PlansOfScene::PlansOfScene(PlanWishes wishes, const Remark& tell)
       model_(make_model(tell)),
       choice_(choose()) {
   tell_best(best(), model_, request_, tell);
+  tell_unknown_differences(choice_, model_, tell);
 }
 
 PriceModel PlansOfScene::make_model(const Remark& tell) {
   std::optional<PriceTable> table = prices_for(wishes_, scene_, tell);
   prices_ = table ? table->name() : "pilot";
   std::optional<PilotResult> pilot;
-  if (wishes_.pilot) pilot = measured_pilot(scene_, request_.budget, tell);
+  if (wishes_.pilot) pilot = measured_pilot(scene_, table, request_.budget, tell);
   return PriceModel(scene_, std::move(table), pilot);
 }
 
 PlanChoice PlansOfScene::choose() {
-  const PlanSource source{wishes_.scene, wishes_.overrides, prices_};
+  const PlanSource source{wishes_.scene, wishes_.overrides, prices_, request_.cores};
   model_.remove_settings([&](const PricedSettings& s) { return !allows(source, scene_, s); });
   std::vector<std::string> names;
   for (const ObservablePrice& o : model_.observables()) names.push_back(o.name);
@@ -168,7 +188,8 @@ Table PlansOfScene::table() const {
 }
 
 std::string PlansOfScene::file(const std::string& output) const {
-  return plan_file(best(), choice_.observables, scene_, {wishes_.scene, wishes_.overrides, prices_}, output);
+  return plan_file(best(), choice_.observables, scene_,
+                   {wishes_.scene, wishes_.overrides, prices_, request_.cores}, output);
 }
 
 Table check_table(const std::vector<PlanCheck>& checks) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "floc/prices/accuracy.h"
+#include "floc/scene/cost_model.h"
 #include "floc/scene/scene.h"
 
 namespace floc {
@@ -53,9 +54,7 @@ struct PilotResult {
 /// of the processor time on the number of grains comes from the source with the larger samples. The scatters from both
 /// sources are pooled.
 ///
-/// 1. The processor time of a sample of N grains is proportional to N^p sqrt(kappa/kappa0) (1 - b + b n/n0) for a run
-/// with n equilibria and the stiffness number kappa of stiffness_number(), where n0 and kappa0 are those of the table
-/// and b is the fraction of the time that is proportional to the number of equilibria.
+/// 1. CostModel gives the processor time and the memory of a sample.
 /// 2. The scatter s between samples is proportional to N^(-1/2). The error of a mean over n samples is t s/sqrt(n) with
 /// Student's factor t.
 /// 3. A finite number N of grains changes a mean in proportion to the fraction of grains that the boundary disturbs:
@@ -67,7 +66,8 @@ class PriceModel {
   /// be given.
   PriceModel(const Scene& scene, std::optional<PriceTable> table, std::optional<PilotResult> pilot = {});
 
-  /// Numerical settings that can be written into the scene. The settings refer to rows of the table of this model.
+  /// Numerical settings that can be written into the scene, without those with loose sweeps
+  /// (PricedSettings::has_loose_sweeps()). The settings refer to rows of the table of this model.
   const std::vector<PricedSettings>& settings() const { return settings_; }
   const std::vector<ObservablePrice>& observables() const { return observables_; }
   /// Returns the observable with this name.
@@ -78,7 +78,7 @@ class PriceModel {
   /// @param is_wrong  function that returns whether settings are removed
   void remove_settings(const std::function<bool(const PricedSettings&)>& is_wrong);
 
-  int measured_grains() const { return n_grains_; }
+  int measured_grains() const { return cost_.measured_grains(); }
   /// Smallest and largest number of grains for which the model is used. If the scene lists the diameters of its grains,
   /// both are the number of grains of the scene. Otherwise the smallest is the smallest measured number, and the
   /// largest is fifty times the measured number (ten times if there is only a pilot).
@@ -89,20 +89,19 @@ class PriceModel {
   /// have at least as many grains as the scene.
   bool knows_size_errors() const;
 
-  /// Returns the processor time (s) of a sample of `n_grains` grains.
-  double core_seconds(const PricedSettings& settings, double n_grains) const;
-  /// Returns the largest memory (MB) of a run of `n_grains` grains.
-  double memory_mb(double n_grains) const;
+  /// See the functions of CostModel.
+  double core_seconds(const PricedSettings& settings, double n_grains) const {
+    return cost_.core_seconds(settings, n_grains);
+  }
+  double memory_mb(double n_grains) const { return cost_.memory_mb(n_grains); }
+  PricedSettings settings_of_scene() const { return cost_.settings_of_scene(); }
   /// Returns the error of an observable; infinite if the table does not contain the error that the settings cause.
   PricedError error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
                     double n_samples) const;
-  /// Returns the row of the table that has the same settings as the scene. If there is no such row, returns the row
-  /// for the parameter "scene", with the processor time converted to the time step and the softening of the scene.
-  PricedSettings settings_of_scene() const;
-  /// Returns the processor time of a run with softer springs, divided by the time without softening. The ratio is
-  /// interpolated between the rows of softening in the table, separately for the assembly and for the load path. The
-  /// assembly takes a fixed share of the time.
-  double time_with_softening(const Softening& softening) const;
+  /// Returns the half width of the 95 % interval of the difference, in the table, between the mean of an observable
+  /// with these settings and with the strictest settings, divided by the mean; NaN if it was not measured. If the error
+  /// of a plan is smaller, the table cannot tell whether the settings keep it.
+  double unknown_difference(const ObservablePrice& observable, const PricedSettings& settings) const;
 
  private:
   void take_table();
@@ -111,22 +110,11 @@ class PriceModel {
 
   const Scene& scene_;
   std::optional<PriceTable> table_;
+  CostModel cost_;
   std::vector<PricedSettings> settings_, cells_;
   std::vector<ObservablePrice> observables_;
-  int n_grains_ = 0, least_grains_ = 0, most_grains_ = 0;
-  double cost_exponent_ = 0.0;
-  /// Processor time of this scene divided by the processor time of the scene from which the table was made.
-  double cost_factor_ = 1.0;
+  int least_grains_ = 0, most_grains_ = 0;
   double size_exponent_ = 1.0;
 };
-
-/// Expected processor time and memory of one run of a scene.
-struct ExpectedPrice {
-  double core_seconds;
-  double memory_mb;
-};
-
-/// Returns the expected processor time and memory of one run of a scene with its own settings and number of grains.
-ExpectedPrice expected_price(const PriceModel& model, const Scene& scene);
 
 }  // namespace floc

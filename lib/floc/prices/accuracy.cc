@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "floc/base/parse_number.h"
-
 namespace floc {
 namespace {
 
@@ -46,6 +44,16 @@ bool is_settable(const std::string& parameter) {
   return std::find(kSettable.begin(), kSettable.end(), parameter) != kSettable.end();
 }
 
+/// Returns the tolerance of the sweeps of rigid grains that a row of a table gives; absent if the row has the tolerance
+/// of the scene of the table, or is about elastic grains.
+std::optional<double> sweep_tolerance_of(const PriceTable& table, const PriceRow& row) {
+  if (row.parameter == "sweep_tolerance") return leading_number(row.value);
+  if (row.parameter == "together" && table.is_of_rigid_grains())
+    for (const RigidSettingsTogether& together : kRigidTogether)
+      if (row.value == together.value) return together.sweep_tolerance;
+  return std::nullopt;
+}
+
 /// Returns the settings in a table of prices, the cheapest first.
 /// @param is_wanted  function that returns whether settings of a parameter are included; the argument is the name of
 /// the parameter
@@ -57,8 +65,13 @@ std::vector<PricedSettings> candidates_of(const PriceTable& table, bool (*is_wan
       return c.parameter == row.parameter && c.value == row.value;
     });
     if (at == candidates.end())
-      at = candidates.insert(candidates.end(),
-                             {row.parameter, row.value, row.settings, row.cost_ratio, row.core_seconds, {}});
+      at = candidates.insert(candidates.end(), {row.parameter,
+                                                row.value,
+                                                row.settings,
+                                                row.cost_ratio,
+                                                row.core_seconds,
+                                                {},
+                                                sweep_tolerance_of(table, row)});
     at->of[row.observable] = &row;
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const PricedSettings& x, const PricedSettings& y) {
@@ -81,8 +94,7 @@ double guaranteed_error(const PricedSettings& candidate, const std::string& obse
 /// Returns the factor of a setting of the cell, that is, its value divided by the default value: for example 10 for the
 /// text "10 times"; NaN if the text contains no number.
 double factor_of(const PricedSettings& of_cell) {
-  return parse_number<double>(of_cell.value.substr(0, of_cell.value.find(' ')))
-      .value_or(std::numeric_limits<double>::quiet_NaN());
+  return leading_number(of_cell.value);
 }
 
 /// Two factors of the mass of the cell, or of the cap on its strain rate, count as equal if their relative difference
@@ -128,7 +140,8 @@ class AccuracyChooser {
                   double tolerance_limit)
       : table_(table), candidates_(settable_prices(table)), additions_(cell_prices(table, cells)) {
     std::erase_if(candidates_, [&](const PricedSettings& c) {
-      return c.settings.softening.any() || (!c.is_reference() && c.settings.tolerance >= tolerance_limit);
+      return c.settings.softening.any() || c.has_loose_sweeps() ||
+             (!c.is_reference() && c.settings.tolerance >= tolerance_limit);
     });
     for (const auto& [key, asked] : wanted) wanted_.push_back({key, asked, priced_observables(table, key)});
   }

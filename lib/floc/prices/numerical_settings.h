@@ -55,4 +55,14 @@ struct NumericalSettings {
   bool operator==(const NumericalSettings&) const = default;
 };
 
+/// Settings of contact dynamics that are priced together, in the rows "together" of tables for rigid grains.
+struct RigidSettingsTogether {
+  const char* value;       ///< value of the parameter "together" in tables of prices
+  double time_step;        ///< see ContactDynamicsOptions::time_step
+  double sweep_tolerance;  ///< see ContactDynamicsOptions::sweep_tolerance
+};
+
+inline constexpr RigidSettingsTogether kRigidTogether[] = {
+    {"coarse", 0.1, 0.1}, {"medium", 0.1, 1e-2}, {"careful", 0.025, 1e-4}};
+
 }  // namespace floc

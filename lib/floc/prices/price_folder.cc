@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include "floc/base/error.h"
@@ -67,6 +70,11 @@ std::vector<std::string> priced_kinds() {
 }
 
 std::optional<PriceTable> shipped_prices(const std::string& kind) {
+  // A campaign needs the table of its kind for each of its cases, so a table is read only once.
+  static std::mutex mutex;
+  static std::map<std::string, PriceTable> tables;
+  const std::lock_guard lock(mutex);
+  if (const auto known = tables.find(kind); known != tables.end()) return known->second;
   const fs::path file = fs::path(price_folder()) / (kind + ".csv");
   if (!fs::is_regular_file(file)) return std::nullopt;
   PriceTable table = read_price_table(read_file(file.string()), file.string());
@@ -74,7 +82,7 @@ std::optional<PriceTable> shipped_prices(const std::string& kind) {
   if (table.kind != kind)
     throw InputError(file.string(),
                      "this table describes scenes of the kind " + table.kind + ": expected " + kind);
-  return table;
+  return tables.emplace(kind, std::move(table)).first->second;
 }
 
 }  // namespace floc

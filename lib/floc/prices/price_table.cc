@@ -134,6 +134,19 @@ const PriceRow* PriceTable::find(const std::string& parameter, const std::string
   return at == rows.end() ? nullptr : &*at;
 }
 
+std::vector<const PriceRow*> PriceTable::find_all(const std::string& parameter,
+                                                  const std::string& observable) const {
+  std::vector<const PriceRow*> found;
+  for (const PriceRow& row : rows)
+    if (row.parameter == parameter && row.observable == observable) found.push_back(&row);
+  return found;
+}
+
+double leading_number(const std::string& value) {
+  return parse_number<double>(value.substr(0, value.find(' ')))
+      .value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
 std::vector<std::string> PriceTable::observables() const {
   std::vector<std::string> names;
   for (const PriceRow& row : rows)

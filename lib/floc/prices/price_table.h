@@ -50,9 +50,16 @@ struct PriceTable {
   /// Returns the row for an observable and a value of a parameter; null if there is none.
   const PriceRow* find(const std::string& parameter, const std::string& value,
                        const std::string& observable) const;
+  /// Returns the rows for an observable and a parameter, in the order of the table.
+  std::vector<const PriceRow*> find_all(const std::string& parameter, const std::string& observable) const;
+  /// Whether the table describes scenes of rigid grains.
+  bool is_of_rigid_grains() const { return kind.starts_with("rigid"); }
   /// Returns the names of the observables in the table, each once, in the order of their first rows.
   std::vector<std::string> observables() const;
 };
+
+/// Returns the number at the beginning of the value of a parameter, such as 10 of "10 times"; NaN if there is none.
+double leading_number(const std::string& value);
 
 /// Kind of the scenes of a table that has no column "kind".
 inline constexpr const char* kOldestKind = "disks-cohesive";

@@ -334,6 +334,7 @@ RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
   report.phase = resting ? "finishing" : "moving";
   report.time = progress_.time;
   report.n_steps = progress_.n_steps;
+  if (resting) report.n_resting_steps = progress_.resting_steps;
   report.counts = {progress_.n_steps, progress_.n_sweeps, progress_.n_unfinished, progress_.deepest_overlap};
   if (ending_ == "closed") report.blocking = closed_cell();
   if (!ending_.empty()) return report;

@@ -50,6 +50,9 @@ struct RelaxationReport {
   std::string phase;         ///< present phase: "moving" or "finishing"
   double time = 0.0;         ///< simulated time of this relaxation so far (time)
   std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
+  /// number of these steps that grains in contact dynamics made from rest, which do not count as simulated time; 0 in
+  /// the phase "moving"
+  int n_resting_steps = 0;
   /// record of a packing in motion: the time step that begins in the recorded state
   std::optional<MotionRecord> motion = {};
   /// counts of the time steps of contact dynamics in this relaxation so far; all zero if the contacts are elastic

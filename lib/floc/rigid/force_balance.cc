@@ -52,12 +52,13 @@ class BalanceRows {
     return s < n_strains || by_wall_ ? s : network_.wall_axes[static_cast<std::size_t>(s - n_strains)];
   }
 
-  /// Returns the sum, over all contacts, of the normal force times the length of the branch vector. The load determines
-  /// this sum: it is the trace of the stress times the volume. If the forces on walls are given, the function returns
-  /// the sum of these forces and of the weights of the grains.
+  /// Returns the size of the load on the boundary, as force times length. For a compression, this is the sum, over all
+  /// contacts, of the normal force times the length of the branch vector: the trace of the stress times the volume. If
+  /// the forces on walls are given, the function returns the sum of these forces and of the weights of the grains.
   double sum_of_loads() const {
     if (by_wall_) return load_.cwiseAbs().sum();
-    return std::abs(load_.segment(first_of_boundary(), Dim).sum());
+    const auto on_cell = load_.segment(first_of_boundary(), n_strains<Dim>(strains_)).cwiseAbs();
+    return std::max(on_cell.head(Dim).sum(), on_cell.maxCoeff());
   }
 
   /// Calls visit(row, coefficient) for each row of the balance to which a contact contributes. The contribution is the

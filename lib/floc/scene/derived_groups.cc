@@ -13,7 +13,9 @@
 #include "floc/loading/run_plan.h"
 #include "floc/packing/liquid/liquid.h"
 #include "floc/relaxation/dynamics.h"
+#include "floc/scene/cost_model.h"
 #include "floc/scene/rigid_groups.h"
+#include "floc/scene/scene_kind.h"
 #include "floc/scene/scene_prices.h"
 #include "floc/scene/scene_scales.h"
 
@@ -379,7 +381,7 @@ double expected_cost(const Scene& scene) {
          std::sqrt(stiffness / kTimedStiffness) * kTimedStep / step;
 }
 
-std::vector<DerivedGroup> derived_groups(const Scene& scene) {
+std::vector<DerivedGroup> derived_groups(const Scene& scene, const std::string& prices) {
   const double a = scene.grains.largest();
   const double m = mass_of(scene, a);
   Groups groups;
@@ -423,9 +425,14 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
   const int assembled = twice ? 2 : 1;
   groups.push_back({"equilibria", static_cast<double>(assembled + steps.up + steps.down),
                     "number of states (equilibria) of the run"});
+  const RunCost cost = cost_of_run(scene, prices);
   groups.push_back(
-      {"cost", expected_cost(scene),
-       "expected processor time on one core (s), within a factor of two under pressures, of ten otherwise"});
+      {"cost", cost.core_seconds,
+       cost.is_priced()
+           ? fmt::format("expected processor time on one core (s), by the table of prices of the kind {}",
+                         scene_kind(scene))
+           : "expected processor time on one core (s), roughly, since no table of prices applies: "
+             "within a factor of two under pressures, of ten otherwise"});
   return groups;
 }
 

@@ -129,7 +129,9 @@ void refuse_smooth_dynamics(TableReader& root, bool rigid) {
 }
 
 /// Records a fault for each stage of the load path that imposes the lengths of all axes. Without an imposed stress, the
-/// magnitude of the forces between rigid grains and the time unit of grains with shapes are undetermined.
+/// magnitude of the forces between rigid grains is undetermined. The springs of elastic grains with shapes determine
+/// their forces, but contact dynamics takes its unit of time and the scale of its tolerances from an imposed stress
+/// (ContactDynamicsRelaxer).
 void check_stages(TableReader& root, const Scene& scene) {
   if (scene.load.empty()) return;
   std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
@@ -143,11 +145,14 @@ void check_stages(TableReader& root, const Scene& scene) {
       t.fault(
           "control",
           fmt::format(
-              "{} = \"{}\": this stage imposes the lengths of all axes, but {} need a stress on at "
-              "least one axis, because otherwise their forces have no scale; expected a stage that keeps or "
+              "{} = \"{}\": this stage imposes the lengths of all axes, but {}; expected a stage that keeps or "
               "imposes a stress",
               t.path_of("control"), stage.control,
-              scene.law.is_rigid() ? "rigid grains" : "elastic grains with shapes"));
+              scene.law.is_rigid() ? "rigid grains need a stress on at least one axis, because otherwise their "
+                                     "forces have no scale"
+                                   : "elastic grains with shapes need a stress on at least one axis in this "
+                                     "version of floc, because "
+                                     "their time step and their tolerances are relative to it"));
   }
 }
 

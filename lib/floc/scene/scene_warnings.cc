@@ -12,6 +12,7 @@
 #include "floc/packing/liquid/liquid.h"
 #include "floc/packing/overlaps.h"
 #include "floc/relaxation/static_solver.h"
+#include "floc/scene/cost_model.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/scene_scales.h"
 
@@ -343,7 +344,9 @@ void warn_of_sizes(const Scene& scene, Warnings& warnings) {
 
 void warn_of_cost(const Scene& scene, Warnings& warnings) {
   constexpr double kDay = 86400.0, kLong = 30.0 * kDay;
-  if (const double cost = expected_cost(scene); cost > kLong)
+  // The rough estimate is correct within a factor of ten, so most scenes need no table of prices here.
+  if (expected_cost(scene) < 0.01 * kLong) return;
+  if (const double cost = cost_of_run(scene).core_seconds; cost > kLong)
     warnings.push_back(fmt::format("the run is expected to take {:.3g} days on one core", cost / kDay));
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
@@ -137,6 +138,7 @@ Mesh<Dim> parse_points(const std::string& place, std::string_view text) {
 std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view text) {
   TextLines lines(place, text);
   std::vector<Mesh<3>> shapes;
+  std::set<std::string> names;
   bool is_open = false;
   while (lines.next()) {
     const std::string_view key = lines.word(0);
@@ -154,6 +156,8 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
       is_open = false;
     } else if (key == "name") {
       if (lines.n_words() > 1) shape.name = lines.word(1);
+      if (!shape.name.empty() && !names.insert(shape.name).second)
+        lines.refuse(fmt::format("a shape above has the name {}, too: expected another name", shape.name));
     } else if (key == "radius") {
       shape.rounding = lines.number(1);
       if (!kRadius.holds(shape.rounding))
@@ -161,6 +165,8 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
             fmt::format("the radius of the shape is {:g}: expected {}", shape.rounding, kRadius.words()));
     } else if (key == "volume") {
       shape.volume = lines.number(1);
+    } else if (key == "I/m") {
+      shape.inertia_over_mass = lines.vector<3>(1);
     } else if (key == "preCompDone") {
       shape.is_principal = lines.n_words() > 1 && lines.word(1) == "y";
     } else if (key == "nv") {
@@ -178,8 +184,7 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
         add_counted_face(lines, shape);
       }
     }
-    // Other keys, such as obb.extent and I/m, are skipped, because their values follow from the vertices and the
-    // radius.
+    // Other keys, such as obb.extent, are skipped, because their values follow from the vertices and the radius.
   }
   for (std::size_t k = 0; k < shapes.size(); ++k)
     if (shapes[k].vertices.empty() || !(shapes[k].rounding > 0.0))

@@ -19,6 +19,8 @@ struct Mesh {
   bool is_oriented = true;
   double rounding = 0.0;
   double volume = 0.0;  ///< volume of the body if the file gives it, else 0 (length^3)
+  /// Principal moments of inertia, divided by the mass, if the file gives them, else 0 (length^2).
+  Vec<Dim> inertia_over_mass = Vec<Dim>::Zero();
   /// Whether the file says that the coordinates are relative to the centre of mass, along the principal axes of
   /// inertia.
   bool is_principal = false;
@@ -46,7 +48,7 @@ Mesh<3> parse_stl(const std::string& place, std::string_view bytes);
 template <int Dim>
 Mesh<Dim> parse_points(const std::string& place, std::string_view text);
 /// Reads the shapes in a file of the program Rockable (.shp). The vertices of a shape are the centres of the balls at
-/// its rounded corners. The faces are not oriented.
+/// its rounded corners. The faces are not oriented. Two shapes must not have the same name.
 std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view text);
 
 }  // namespace floc

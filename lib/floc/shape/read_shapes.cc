@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -66,6 +67,25 @@ std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
   return used;
 }
 
+/// If all chosen points lie in one plane, replaces the last of them by the point furthest from the plane. The furthest
+/// corners of a cuboid, for example, are those of a rectangle.
+/// @param points  vertices of a convex polyhedron  @param chosen  more than three of them
+void leave_one_plane(const std::vector<Vec<3>>& points, std::vector<Vec<3>>& chosen) {
+  constexpr double kThin = 1e-6;  // thickness, divided by the size, below which points count as coplanar
+  const Vec<3> along = chosen[1] - chosen[0];
+  Vec<3> normal =
+      Vec<3>::Zero();  // of the largest triangle at the first two points, which are far from each other
+  for (const Vec<3>& p : chosen)
+    if (const Vec<3> across = along.cross(p - chosen[0]); across.norm() > normal.norm()) normal = across;
+  normal.normalize();
+  const auto height = [&](const Vec<3>& p) { return std::abs(normal.dot(p - chosen[0])); };
+  const auto lower = [&](const Vec<3>& a, const Vec<3>& b) { return height(a) < height(b); };
+  if (height(*std::ranges::max_element(chosen, lower)) > kThin * along.norm()) return;
+  const Vec<3> furthest = *std::ranges::max_element(points, lower);
+  chosen.back() = furthest;
+}
+void leave_one_plane(const std::vector<Vec<2>>&, std::vector<Vec<2>>&) {}  // no three vertices lie on one line
+
 /// Chooses n of the given points that are far from each other. The first chosen point is furthest from the mean of all
 /// points. Each next chosen point has the largest distance from the nearest of the points chosen before.
 template <int Dim>
@@ -82,6 +102,7 @@ std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) 
       distance[i] =
           k == 0 ? (points[i] - next).squaredNorm() : std::min(distance[i], (points[i] - next).squaredNorm());
   }
+  leave_one_plane(points, chosen);
   return chosen;
 }
 

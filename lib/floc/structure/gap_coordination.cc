@@ -25,7 +25,7 @@ std::vector<double> gap_coordination(const Packing<Dim>& packing, const std::vec
   // The search includes gaps slightly above the largest gap, so that pairs at exactly this gap are counted.
   const double largest = 0.5 * largest_diameter(g);
   const double reach = gaps.back() * (1.0 + kTouching) + 4.0 * kTouching * largest;
-  for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, g, reach)) {
+  for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, g, reach, most_pairs_in_memory(g.size()))) {
     const Vec<Dim> r = g.position[pair.j] + packing.cell.shift(pair.image) - g.position[pair.i];
     const double diameter = g.radius[pair.i] + g.radius[pair.j];
     const double gap = r.norm() - diameter * (1.0 + kTouching);

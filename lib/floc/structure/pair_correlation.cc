@@ -29,12 +29,6 @@ double inner_volume(const Packing<Dim>& packing, double reach) {
   return volume;
 }
 
-/// Returns the number of pairs per grain that find_pairs() may find, so that all pairs fit into memory.
-template <int Dim>
-double most_per_grain(const Grains<Dim>& points) {
-  return std::max(1000.0, kMostPairs / points.size());
-}
-
 /// Counts the neighbours of all grains whose distance from every wall is at least `reach`.
 /// @return number of these grains
 template <int Dim>
@@ -45,7 +39,7 @@ int count_away_from_walls(const Packing<Dim>& packing, const Grains<Dim>& points
     for (const Wall<Dim>& wall : packing.walls)
       is_inner[i] = is_inner[i] && wall.side * (wall.position - points.position[i][wall.axis]) >= reach;
   const Cell<Dim> cell = search_cell(packing.cell, packing.walls, reach);
-  for (const NeighborPair<Dim>& pair : find_pairs(cell, points, reach, most_per_grain(points))) {
+  for (const NeighborPair<Dim>& pair : find_pairs(cell, points, reach, most_pairs_in_memory(points.size()))) {
     const Vec<Dim> r = points.position[pair.j] + cell.shift(pair.image) - points.position[pair.i];
     const int b = std::min(static_cast<int>(out.g.size()) - 1, static_cast<int>(r.norm() / out.width));
     out.n_pairs[b] += static_cast<int>(is_inner[pair.i]) + static_cast<int>(is_inner[pair.j]);
@@ -59,10 +53,10 @@ void require_countable(const Packing<Dim>& packing, double reach, int n_bins) {
   require_in_range("n_bins", n_bins, kPositiveWhole);
   const double n = packing.grains.size();
   const double n_pairs = n > 0.0 ? 0.5 * n * n / packing.cell.volume() * ball<Dim>(reach) : 0.0;
-  if (!(n_pairs <= kMostPairs))
+  if (!(n_pairs <= kMostPairsInMemory))
     throw InputError("", fmt::format("reach = {} (length): the pair correlation g(r) would have to count "
                                      "{:.2g} pairs, but at most {:.2g} are possible; choose a smaller reach",
-                                     reach, n_pairs, kMostPairs));
+                                     reach, n_pairs, kMostPairsInMemory));
 }
 
 template <int Dim>
@@ -92,7 +86,8 @@ PairCorrelation pair_correlation(const Packing<Dim>& packing, double reach, int 
                      : std::numeric_limits<double>::quiet_NaN();
     return out;
   }
-  for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, points, reach, most_per_grain(points))) {
+  for (const NeighborPair<Dim>& pair :
+       find_pairs(packing.cell, points, reach, most_pairs_in_memory(points.size()))) {
     const Vec<Dim> r = points.position[pair.j] + packing.cell.shift(pair.image) - points.position[pair.i];
     ++out.n_pairs[std::min(n_bins - 1, static_cast<int>(r.norm() / out.width))];
   }

@@ -28,13 +28,10 @@ struct PairCorrelation {
 /// Allowed values of the largest distance r of g(r), in units of the largest diameter. At a distance of up to 1000
 /// diameters, each disk of a packing has about three million neighbours.
 inline constexpr NumberRange kPairReach{.least = 0.0, .most = 1000.0, .without_least = true};
-/// Largest number of pairs that may be counted for g(r); they need 5 GB of memory.
-inline constexpr double kMostPairs = 2.5e8;
-
 /// Computes the pair correlation g(r) of a packing.
 /// @param reach   largest distance (length), > 0
 /// @param n_bins  number of bins, >= 1
-/// @throws InputError for other values, or if more than about kMostPairs pairs would be counted
+/// @throws InputError for other values, or if more than about kMostPairsInMemory pairs would be counted
 template <int Dim>
 PairCorrelation pair_correlation(const Packing<Dim>& packing, double reach, int n_bins);
 

@@ -117,7 +117,7 @@ Packing<Dim> with_pushed_rattlers(const Packing<Dim>& packing, const std::vector
   const double a = largest_diameter(g);
   const double travel = 2.0 * a;
   std::vector<std::vector<Obstacle<Dim>>> around(g.size());
-  for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, g, travel)) {
+  for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, g, travel, most_pairs_in_memory(g.size()))) {
     if (rattler[pair.i] == rattler[pair.j]) continue;
     const Vec<Dim> r = g.position[pair.j] + packing.cell.shift(pair.image) - g.position[pair.i];
     const double reach = g.radius[pair.i] + g.radius[pair.j];

@@ -86,18 +86,14 @@ void add_together(const Scene&, const StudiedSetting& base, Settings& list) {
 }
 
 void add_rigid_together(const Scene&, const StudiedSetting& base, Settings& list) {
-  const auto all = [&](const char* value, double step, double sweeps) {
+  for (const RigidSettingsTogether& together : kRigidTogether)
     add(
-        base, "together", value,
+        base, "together", together.value,
         [&](StudiedSetting& s) {
-          s.contact_dynamics.time_step = step;
-          s.contact_dynamics.sweep_tolerance = sweeps;
+          s.contact_dynamics.time_step = together.time_step;
+          s.contact_dynamics.sweep_tolerance = together.sweep_tolerance;
         },
         list);
-  };
-  all("coarse", 0.1, 0.1);
-  all("medium", 0.1, 1e-2);
-  all("careful", 0.025, 1e-4);
 }
 
 void add_finish(const Scene&, const StudiedSetting& base, Settings& list) {

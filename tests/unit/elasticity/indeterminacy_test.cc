@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 
+#include "floc/base/random.h"
 #include "support/lattices.h"
 
 namespace floc {
@@ -45,6 +47,35 @@ TEST(Indeterminacy, IsTheNumberOfSelfStressesOfRandomNetworks) {
         }
   EXPECT_GT(n_isostatic, 5);
   EXPECT_GT(n_hyperstatic, 5);
+}
+
+/// Returns equal grains at the nodes of a square or simple cubic lattice with two of them along each side of the cell.
+template <int Dim>
+Packing<Dim> two_along_each_side(double spacing, const Law& law) {
+  constexpr int kGrains = 1 << Dim;
+  Packing<Dim> packing;
+  packing.law = law;
+  packing.cell.matrix = 2.0 * spacing * Mat<Dim>::Identity();
+  packing.grains = Grains<Dim>::with_size(kGrains);
+  for (int i = 0; i < kGrains; ++i)
+    for (int a = 0; a < Dim; ++a) packing.grains.position[i][a] = spacing * ((i >> a) & 1);
+  packing.grains.radius.assign(kGrains, 0.5005 * spacing);
+  packing.grains.mass.assign(kGrains, 1.0);
+  find_contacts(packing);
+  return packing;
+}
+
+TEST(Indeterminacy, CountsTheMechanismsOfGrainsThatTurnLikeGears) {
+  // All neighbours can turn in opposite directions at no cost. Rounding errors may give these motions a positive
+  // stiffness, in some cases and not in others, so that many spacings and stiffnesses are tried.
+  RandomStream random(1, 2);
+  for (int k = 0; k < 40; ++k) {
+    const double spacing = random.uniform(0.3, 3.0), kn = std::pow(10.0, random.uniform(2.0, 5.0));
+    const Law law = test::elastic_law(kn, random.uniform() * kn, 0.0);
+    expect_self_stresses(contact_network(two_along_each_side<2>(spacing, law)), StrainSet::diagonal);
+    expect_self_stresses(contact_network(two_along_each_side<3>(spacing, law)), StrainSet::full);
+    expect_self_stresses(contact_network(test::honeycomb(spacing, law)), StrainSet::diagonal);
+  }
 }
 
 TEST(Indeterminacy, OfAFrictionlessTriangularLatticeCountsItsSpareContacts) {

@@ -358,6 +358,15 @@ TEST_F(CsvPacking, NamesWhatIsWrongInAListOfContacts) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("listed twice")));
   contacts("id1,id2,image1,image2\n7,7,0,0\n");
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("touch itself")));
+  for (const char* walls : {"", "x=0:9,y=0:9"}) {
+    const ImportOptions good = options_;
+    options_.walls = walls;
+    if (*walls != '\0') options_.cell.clear();
+    contacts("id1,id2,normal_force\n7,7,1\n");
+    EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("c.csv:2: the first and the second body of the "
+                                                               "contact are grain 7")));
+    options_ = good;
+  }
   contacts("id1,id2,image1,image2\n7,3,0,-1000000001\n");
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(
                              HasSubstr("c.csv:2: image2 = -1000000001, expected a number of cells up to 1e9")));

@@ -12,6 +12,7 @@
 #include "floc/io/vtk_arrays.h"
 #include "floc/io/vtu.h"
 #include "support/contact_laws.h"
+#include "support/foreign_packing.h"
 #include "support/run_program.h"
 #include "support/states.h"
 
@@ -270,6 +271,14 @@ TEST(LammpsData, NamesWhatIsWrong) {
   expect_refusal(read_lammps_data,
                  "title\n1 atoms\n4 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n" + atoms + "1 1 1 1 1 1 1\n",
                  "the cell is degenerate: its side along x is 0");
+}
+
+TEST(VtkHdf, SaysThatItDoesNotHoldVelocities) {
+  State<2> state = test::packing_with_forces<2>({"p", "p"});
+  const auto lost = [&] { return find_export_format("vtkhdf", "").lost(state); };
+  EXPECT_TRUE(lost().empty());
+  state.packing.grains.velocity[1] = Vec<2>(0.0, 1e-3);
+  EXPECT_THAT(lost(), testing::ElementsAre(testing::StartsWith("velocities")));
 }
 
 }  // namespace

@@ -180,5 +180,20 @@ TEST_F(LammpsDump, DoesNotGuessTheImageOfAContactOfHalfTheCell) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("half the width of the cell (2) or more")));
 }
 
+TEST_F(LammpsDump, WithMoreRowsThanItsHeadStatesIsRefused) {
+  const std::string whole = frame(10, "id x y z radius", kRows);
+  const auto with_more = [&](const std::string& more) { grains(whole + more); };
+  with_more("9 2 4.5 0 0.1\n");
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(
+                             HasSubstr("g.dump:13: the line is \"9 2 4.5 0 0.1\", expected the next frame")));
+  with_more("9 2 4.5 0 0.1\n" + whole);
+  options_.index = 0;
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("after the 3 rows that the frame states")));
+  with_more("\n\n");
+  EXPECT_EQ(packing<2>().grains.size(), 3);
+  with_more(whole);
+  EXPECT_EQ(packing<2>().grains.size(), 3);
+}
+
 }  // namespace
 }  // namespace floc

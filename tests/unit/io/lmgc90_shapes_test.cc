@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "floc/base/error.h"
+#include "floc/base/read_text.h"
+#include "floc/io/law_text.h"
 #include "floc/io/lmgc90.h"
 #include "support/angular_packing.h"
 
@@ -168,6 +170,70 @@ TEST(Lmgc90Shapes, NameWhatIsWrong) {
   refusal("DOF.INI", "a(1)=", "a(1)= 7", "the axes of body 1 are not orthonormal");
   refusal("Vloc_Rloc.INI", " coo1=", " xxx1=", "the contact has no contact point");
   refusal("Vloc_Rloc.INI", " coo1=", " coo1= 9", "");
+}
+
+TEST(Lmgc90Shapes, OfCutFilesAreRefused) {
+  const test::ScratchDirectory scratch;
+  const std::string folder = scratch.file("DATBOX");
+  const Packing<3> p = test::angular_packing_with_forces<3>({"ww", "ww", "ww"}, sharp_shapes<3>()).packing;
+  const auto refusal = [&](const std::string& file, std::size_t n_left_out, const std::string& words) {
+    write_datbox_of_shapes(folder, p);
+    const std::string text = read_text(folder + "/" + file);
+    test::write_text(folder + "/" + file, text.substr(0, text.size() - n_left_out));
+    EXPECT_THAT([&] { test::read_packing<3>(folder); }, ThrowsMessage<InputError>(HasSubstr(words))) << words;
+  };
+  refusal("Vloc_Rloc.INI", 3, "the file ends within a contact: expected a line feed after the last line");
+  write_datbox_of_shapes(folder, p);
+  const std::string contacts = read_text(folder + "/Vloc_Rloc.INI");
+  refusal("Vloc_Rloc.INI", contacts.size() - contacts.rfind(" coo1="),
+          "the file ends within a contact, which begins at ");
+  refusal("DOF.INI", 8, "the file ends within a body: expected a line $$$$$$");
+  const auto changed = [&](const std::string& text, const std::string& words) {
+    write_datbox_of_shapes(folder, p);
+    test::write_text(folder + "/DOF.INI", text);
+    EXPECT_THAT([&] { test::read_packing<3>(folder); }, ThrowsMessage<InputError>(HasSubstr(words))) << words;
+  };
+  write_datbox_of_shapes(folder, p);
+  const std::string whole = read_text(folder + "/DOF.INI");
+  const std::size_t second = whole.find("$bdyty", 1);
+  changed(whole.substr(second), "DOF.INI: the file gives no displacement (X(1)=) of body 1");
+  changed(whole + whole.substr(0, second), "body 1 is displaced a second time, expected each body once");
+}
+
+TEST(Lmgc90Shapes, HaveNormalsOfLengthOneInTheRightDirection) {
+  const test::ScratchDirectory scratch;
+  const std::string folder = scratch.file("DATBOX");
+  const Packing<2> p = test::angular_packing_with_forces<2>({"ww", "ww"}, sharp_shapes<2>()).packing;
+  const auto refusal = [&](double factor, const std::string& words) {
+    write_datbox_of_shapes(folder, p);
+    const std::string line = keyed("n({})=", -test::in_space<2>(p.contacts[0].normal));
+    test::change_file(folder + "/Vloc_Rloc.INI", line,
+                      keyed("n({})=", -factor * test::in_space<2>(p.contacts[0].normal)));
+    EXPECT_THAT([&] { test::read_packing<2>(folder); }, ThrowsMessage<InputError>(HasSubstr(words))) << factor;
+  };
+  refusal(1.5, "Vloc_Rloc.INI:1: the normal of the contact has the length 1.5, expected a unit vector");
+  refusal(-1.0, "Vloc_Rloc.INI:1: the normal of the contact of grain");
+}
+
+TEST(Lmgc90Shapes, SayThatTheConvexHullIsTakenAndMassesAreMissing) {
+  const test::ScratchDirectory scratch;
+  const std::string folder = scratch.file("DATBOX");
+  write_datbox_of_shapes(folder, test::angular_packing_with_forces<2>({"ww", "ww"}, sharp_shapes<2>()).packing);
+  ImportOptions options;
+  options.law = parse_law("law", test::kForeignLaw);
+  EXPECT_THAT(read_lmgc90(folder, options).remarks, testing::IsEmpty());
+  std::string text = read_text(folder + "/BODIES.DAT");
+  const std::size_t at = text.find("nb_vertex= ") + 11, end = text.find(' ', at),
+                    line = text.find('\n', at) + 1;
+  const int n = std::stoi(text.substr(at, end - at));
+  text.insert(line, " coo1= 0.0D+00 coo2= 0.0D+00\n");
+  text.replace(at, end - at, std::to_string(n + 1));
+  test::write_text(folder + "/BODIES.DAT", text);
+  std::filesystem::remove(folder + "/BULK_BEHAV.DAT");
+  EXPECT_THAT(
+      read_lmgc90(folder, options).remarks,
+      testing::IsSupersetOf({HasSubstr(fmt::format("BODIES.DAT:2: 1 of {} points are not vertices", n + 1)),
+                             HasSubstr("BULK_BEHAV.DAT, which gives densities and gravity")}));
 }
 
 }  // namespace

@@ -11,9 +11,11 @@
 
 #include "floc/base/error.h"
 #include "floc/base/read_text.h"
+#include "floc/io/law_text.h"
 #include "floc/io/rockable.h"
 #include "floc/io/rockable_text.h"
 #include "support/angular_packing.h"
+#include "support/few_grains.h"
 
 namespace floc {
 namespace {
@@ -291,6 +293,125 @@ TEST(RockableShapes, TakeContactPointsOfAnotherList) {
   refusal("id1,id2,normal_force\n0,1,2\n", "contacts.csv:2: the contact has no contact point");
   refusal("id1,id2,point1,point2,point3\n0,1,0.4,0.4,0.5\n", "the contact has no force");
   refusal("id1,id2,point1,point2,normal_force\n0,1,0.4,0.4,0.5\n", "point3");
+}
+
+/// Reads the cubes with one interaction, of which some words are replaced.
+Imported read_cubes(const test::ScratchDirectory& scratch, const std::string& from = "",
+                    const std::string& to = "", const std::string& file = "cubes.conf") {
+  const std::string good = fmt::format(fmt::runtime(kCornerOnFace), 2, 0.4, 0.4, 1);
+  write_cubes(scratch, good);
+  if (!from.empty()) test::change_file(scratch.file(file), from, to);
+  ImportOptions options;
+  options.law = parse_law("law", test::kForeignLaw);
+  options.walls = "x=:,y=:,z=:";
+  return read_rockable(scratch.file("cubes.conf"), options);
+}
+
+/// The corner of the upper cube lies 0.1 above the point, or the gap is -0.3; the diameter of the smaller cube is 1.59.
+TEST(RockableShapes, SayWhichPointsDoNotFitTheShapes) {
+  const test::ScratchDirectory scratch;
+  const std::string words = "1 of 1 contact points do not fit the shapes (first at ";
+  EXPECT_THAT(read_cubes(scratch).inconsistencies, testing::Not(testing::Contains(HasSubstr(words))));
+  EXPECT_THAT(read_cubes(scratch, "0.4 0.4 0.5", "0.4 0.4 0.6").inconsistencies,
+              testing::Contains(testing::AllOf(HasSubstr(words), HasSubstr("cubes.conf:9, grains 0 and 1"),
+                                               HasSubstr("0.063 diameters of the smaller grain"))));
+  EXPECT_THAT(read_cubes(scratch, "-1 -0.01", "-1 -0.3").inconsistencies,
+              testing::Contains(HasSubstr("0.19 diameters of the smaller grain")));
+  EXPECT_THAT(read_cubes(scratch, "0 0 1.5", "0 0.1 1.6").inconsistencies,
+              testing::Contains(HasSubstr("0.069 diameters of the smaller grain")));
+}
+
+TEST(RockableShapes, HaveNormalsOfLengthOneInTheRightDirection) {
+  const test::ScratchDirectory scratch;
+  const auto refusal = [&](const std::string& from, const std::string& to, const std::string& words) {
+    EXPECT_THAT([&] { read_cubes(scratch, from, to); }, ThrowsMessage<InputError>(HasSubstr(words))) << to;
+  };
+  refusal("0 0 -1 -0.01", "0 0 -1.01 -0.01", "cubes.conf:9: the normal of the contact has the length 1.01");
+  refusal("0 0 -1 -0.01", "0 0 1 -0.01",
+          "cubes.conf:9: the normal of the contact of grains 0 and 1 is reversed");
+  // Digits that are cut change the length of a normal, but neither its direction nor the force.
+  const Imported read = read_cubes(scratch, "0 0 -1 -0.01", "0 0 -0.9995 -0.01");
+  const Contact<3> c = std::get<State<3>>(read.state).packing.contacts.at(0);
+  EXPECT_EQ(c.normal, Vec<3>(0.0, 0.0, 1.0));
+  EXPECT_EQ(c.normal_force, 1.0);
+}
+
+TEST(RockableShapes, NameContradictionsOfAConfiguration) {
+  const test::ScratchDirectory scratch;
+  const auto refusal = [&](const std::string& from, const std::string& to, const std::string& words,
+                           const std::string& file = "cubes.conf") {
+    EXPECT_THAT([&] { read_cubes(scratch, from, to, file); }, ThrowsMessage<InputError>(HasSubstr(words)))
+        << to;
+  };
+  refusal("0 1 2 0 0", "1 1 2 0 0", "cubes.conf:9: the first and the second body of the contact are grain 1");
+  refusal("0 1 2 0 0", "0 1 4 0 0", "cubes.conf:9: the type of the interaction is 4, expected 0");
+  refusal("0 0 0 0 1 0 0 0", "0 0 0 0 0 0 0 0", "cubes.conf:6: the orientation is the quaternion 0 0 0 0");
+  refusal("nDriven", "usePeriodicCell 1\nnDriven", "cubes.conf:4: usePeriodicCell is 1, but the configuration");
+  refusal(">\n", ">\n<\nname Cube\nradius 0.1\nnv 1\n0 0 0\n>\n", "a shape above has the name Cube, too",
+          "cubes.shp");
+  EXPECT_THAT(read_cubes(scratch).remarks, testing::Not(testing::Contains(HasSubstr("there is no mass"))));
+  EXPECT_THAT(read_cubes(scratch, "density 0 3\n", "").remarks,
+              testing::Contains(HasSubstr("there is no mass for 2 of 2 grains")));
+}
+
+/// The volume of the cube is that of a cube of side 0.8, of six plates, twelve quarter cylinders and a sphere.
+TEST(RockableShapes, SayWhichDataOfAShapeContradictTheConvexShape) {
+  const test::ScratchDirectory scratch;
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    return read_cubes(scratch, from, to, "cubes.shp");
+  };
+  EXPECT_THAT(changed("volume 0.9", "volume 0.97").remarks, testing::IsEmpty());
+  EXPECT_THAT(changed("volume 0.9", "volume 0.97").inconsistencies,
+              testing::Not(testing::Contains(HasSubstr("in the file, but the convex shape has"))));
+  EXPECT_THAT(
+      changed("volume 0.9", "volume 0.95").remarks,
+      testing::Contains(HasSubstr("the volume is 0.95 in the file, but the convex shape has 0.975587")));
+  EXPECT_THAT(changed("volume 0.9", "volume 9").inconsistencies,
+              testing::Contains(HasSubstr("the volume is 9 in the file")));
+  EXPECT_THAT(changed("volume 0.9", "I/m 0.15 0.3 0.15\nvolume 0.97").inconsistencies,
+              testing::Contains(HasSubstr("(I/m) are 0.15, 0.15 and 0.3 in the file")));
+  EXPECT_THAT(changed("-0.4 -0.4 -0.4\n", "-0.3 -0.4 -0.4\n").inconsistencies,
+              testing::Contains(HasSubstr("the centre of mass of the convex shape is 0.0")));
+}
+
+TEST(RockableShapes, NeedTheNameOfASecondFile) {
+  const test::ScratchDirectory scratch;
+  const State<3> state = test::packing_with_forces<3>({"p", "p", "p"});
+  const auto refusal = [&](const std::string& path, const std::string& words) {
+    EXPECT_THAT([&] { write_rockable(path, state); }, ThrowsMessage<InputError>(HasSubstr(words)));
+    EXPECT_FALSE(std::filesystem::exists(path));
+  };
+  refusal("-", "standard output is one file");
+  refusal(scratch.file("p.shp"),
+          "the file of shapes, which belongs to the configuration, would have the same name");
+  refusal(scratch.file("two words.conf"), "this name has a blank or #");
+  EXPECT_FALSE(std::filesystem::exists("-.shp"));
+}
+
+/// Two cubes of side 1 side by side along z in a cell that is 1.5 long along x and y: half of its width is less than
+/// the distance of the centres, but no image touches at the same points.
+TEST(RockableShapes, ComeBackFromCellsThatAreSmall) {
+  State<3> state;
+  Packing<3>& p = state.packing;
+  p = test::unit_grains<3>({{0.2, 0.2, 0.5}, {0.2, 0.2, 1.4999}}, 1.5, parse_law("law", test::kForeignLaw));
+  p.cell.matrix(2, 2) = 4.0;
+  Grains<3>& g = p.grains;
+  g.shapes = std::make_shared<const std::vector<Shape<3>>>(1, box<3>(Vec<3>(1.0, 1.0, 1.0), 0.1));
+  const Shape<3>& cube = g.shapes->front();
+  g.shape = {0, 0};
+  g.scale.assign(2, 0.5 / (cube.offsets[0] + cube.rounding));
+  g.radius.assign(2, g.scale[0] * cube.outer_radius);
+  p.contacts = ContactPoints<3>().find(p, 0.0);
+  ASSERT_EQ(p.contacts.size(), 4u);
+  for (Contact<3>& c : p.contacts) c.normal_force = c.elastic_force = 1.0;
+  measure(state);
+  const test::ScratchDirectory scratch;
+  write_rockable(scratch.file("p.conf"), state);
+  test::expect_same_angular_packing(test::read_packing<3>(scratch.file("p.conf")), p, 1e-12);
+  // If the point lies at no image, it does not tell which of them touches.
+  const std::string path = scratch.file("p.conf");
+  test::change_file(path, "Interactions 4\n0 1 ", "Interactions 4\n0 0 ");
+  EXPECT_THAT([&] { test::read_packing<3>(path); }, ThrowsMessage<InputError>(HasSubstr("would touch itself")));
 }
 
 }  // namespace

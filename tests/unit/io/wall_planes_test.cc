@@ -206,5 +206,22 @@ TEST(WallOption, HasAxesAndFiles) {
   EXPECT_EQ(split_walls("x,,y").axes, "x,,y");
 }
 
+TEST_F(WallFile, HasTheSumOfSeveralGravities) {
+  test::write_text(scratch_.file("in"),
+                   "fix w all wall/gran hooke 1 zplane 0 NULL\nfix g all gravity 9 vector 0 0 -2\n"
+                   "fix h all gravity 2 vector 3 0 0\n");
+  EXPECT_EQ(read_wall_file(scratch_.file("in")).gravity, Eigen::Vector3d(2.0, 0.0, -9.0));
+}
+
+TEST_F(WallFile, SaysThatGroupsAreNotFollowed) {
+  test::write_text(scratch_.file("in"),
+                   "fix w all wall/gran hooke 1 zplane 0 NULL\nfix g heavy gravity 9 vector 0 0 -2\n"
+                   "fix v light wall/gran hooke 1 xplane 0 NULL\nfix t light nve/sphere\n");
+  EXPECT_THAT(read_wall_file(scratch_.file("in")).doubts,
+              testing::UnorderedElementsAre(
+                  HasSubstr("in:2: the fix g of style gravity acts on the group heavy, expected all"),
+                  HasSubstr("in:3: the fix v of style wall/gran acts on the group light, expected all")));
+}
+
 }  // namespace
 }  // namespace floc

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -17,6 +18,7 @@
 #include "floc/planning/pilot.h"
 #include "floc/planning/plan_file.h"
 #include "floc/scene/read_scene.h"
+#include "floc/scene/scene_prices.h"
 #include "floc/scene/scene_softening.h"
 #include "support/places.h"
 
@@ -270,6 +272,22 @@ TEST_F(Plans, KeepTheNumberOfGrainsWhereTheErrorOfTheSizeIsNotKnown) {
   for (const Plan& plan : choose_plans(model, request, 3).plans) EXPECT_GE(plan.n_grains, scene_.grains.count);
 }
 
+/// The rows of prices() have intervals of +- 2 standard errors.
+TEST_F(Plans, TheTableTellsHowExactlyItKnowsADifference) {
+  EXPECT_DOUBLE_EQ(model_.unknown_difference(model_.observable("phi", ""), settings("patience fast")), 2e-3);
+  EXPECT_DOUBLE_EQ(model_.unknown_difference(model_.observable("B", ""), settings("scene as it is")), 2e-2);
+}
+
+TEST_F(Plans, FilesNameTheNumberOfCores) {
+  PlanRequest request;
+  request.budget = 100.0;
+  request.cores = 7;
+  const PlanChoice choice = choose_plans(model_, request, 1);
+  const PlanSource source{test::source_directory() + "/data/scenes/demo.toml", {}, "prices.csv", request.cores};
+  EXPECT_THAT(plan_file(choice.plans.front(), choice.observables, scene_, source, "p.toml"),
+              HasSubstr("cd p && snakemake --cores 7\n"));
+}
+
 TEST_F(Plans, WantsAreNamesOfObservablesOrKeysOfAccuracy) {
   const std::vector<std::string> names = {"phi", "B", "G", "z_plus"};
   const auto wants = wants_of({"phi=0.01", "moduli=0.1", "z=0.2"}, names);
@@ -410,6 +428,36 @@ TEST(PriceModelOfAScene, TakesTheExponentFromWhicheverHasTheLargerSamples) {
     EXPECT_NEAR(model.core_seconds(model.settings_of_scene(), 200), 3.0 * std::pow(4.0, exponent), 1e-5)
         << largest_grains << " grains in the pilot, 100 in the table";
   }
+}
+
+/// Settings with loose sweeps are cheap or have small errors in the shipped tables, and are left out all the same.
+TEST(PriceModelOfAScene, LeavesOutLooseSweeps) {
+  for (const char* name : {"polyhedra_demo", "rigid_disks_demo", "pentagons_demo"}) {
+    const Scene here = read_scene(test::source_directory() + "/data/scenes/" + name + ".toml");
+    const PriceModel model(here, prices_of(here, "").table);
+    std::vector<std::string> names;
+    for (const PricedSettings& settings : model.settings()) names.push_back(settings.name());
+    EXPECT_THAT(names, testing::IsSupersetOf({"scene as it is", "sweep_tolerance 1e-04", "together careful"}))
+        << name;
+    for (const char* loose :
+         {"sweep_tolerance 1e-01", "sweep_tolerance 1e-02", "together coarse", "together medium"})
+      EXPECT_THAT(names, Not(testing::Contains(loose))) << name;
+  }
+}
+
+/// A pilot that clearly takes longer than its limit is refused before anything is run, and the message names a budget.
+TEST(Pilot, IsRefusedBeforeAnythingIsRun) {
+  const Scene long_path = scene({"grains.count=200", "load.0.steps_per_decade=1000"});
+  const auto start = std::chrono::steady_clock::now();
+  std::string message;
+  try {
+    (void)run_pilot(long_path, 8.0);
+  } catch (const InputError& error) {
+    message = error.what();
+  }
+  EXPECT_THAT(message, AllOf(HasSubstr("--pilot: the samples of 200 grains would not be complete within 8 s"),
+                             HasSubstr("expected a --budget of at least ")));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(4)) << "half of the limit";
 }
 
 TEST(Pilot, MeasuresTheExponentOnAsManyGrainsAsItsTimeAllows) {

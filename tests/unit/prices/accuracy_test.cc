@@ -73,6 +73,32 @@ TEST(Accuracy, ADifferenceOfMeansBeyondItsSamplingErrorCountsToo) {
   EXPECT_EQ(choice({{"phi", 1.9e-2}}).name, "scene as it is");
 }
 
+/// Sweeps that end early compact large packings by more than the small samples of a table resolve. The settings
+/// "together" of rigid grains have such sweeps, too; those of elastic grains have no sweeps.
+TEST(Accuracy, LooseSweepsAreNoChoice) {
+  const auto table = [](const std::string& kind) {
+    std::string csv = kHeader.substr(0, kHeader.size() - 1) + ",kind\n";
+    for (const std::string row :
+         {"strict,all,phi,0,0,0,0,1,1e-8,0.1,auto,2,", "scene,as it is,phi,2e-6,,0,0.02,0.3,1e-5,0.28,auto,1,",
+          "sweep_tolerance,1e-01,phi,1e-6,,0,0.02,0.01,1e-5,0.28,auto,1,",
+          "sweep_tolerance,1e-02,phi,1e-6,,0,0.02,0.02,1e-5,0.28,auto,1,",
+          "together,coarse,phi,1e-6,,0,0.02,0.03,1e-5,0.28,auto,1,",
+          "together,medium,phi,1e-6,,0,0.02,0.04,1e-5,0.28,auto,1,",
+          "together,careful,phi,1e-6,,0,0.02,0.05,1e-5,0.28,auto,1,",
+          "sweep_tolerance,1e-04,phi,1e-6,,0,0.02,0.06,1e-5,0.28,auto,1,"})
+      csv += row + "1e5," + kind + "\n";
+    return read_price_table(csv, "table");
+  };
+  const PriceTable rigid = table("rigid-disks"), elastic = table("disks-cohesive");
+  std::vector<std::string> loose;
+  for (const PricedSettings& settings : settable_prices(rigid))
+    if (settings.has_loose_sweeps()) loose.push_back(settings.name());
+  EXPECT_THAT(loose, testing::ElementsAre("sweep_tolerance 1e-01", "sweep_tolerance 1e-02", "together coarse",
+                                          "together medium"));
+  EXPECT_EQ(choose_accuracy(rigid, {{"phi", 0.1}}).name, "together careful");
+  EXPECT_EQ(choose_accuracy(elastic, {{"phi", 0.1}}).name, "together coarse");
+}
+
 TEST(Accuracy, SoftSpringsAreNoChoiceAndTheirErrorIsAllThatTheSamplesDoNotExclude) {
   std::string soft;
   for (const char* row : {"strict,all,phi,0,0,0,0,1,1e-8,0.1,auto,2,1e5,1,1\n",

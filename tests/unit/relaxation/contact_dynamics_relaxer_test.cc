@@ -172,6 +172,9 @@ TEST(ContactDynamicsRelaxer, DisksMoveOnAfterAFailedSearch) {
       }
       n_failed += failed;
       phase = now["phase"];
+      // Steps at rest do not advance the simulated time; their number is told in its place.
+      const int n_resting = phase == ContactDynamicsProgress::resting ? int(now["resting_steps"]) : 0;
+      EXPECT_EQ(relaxer.report().n_resting_steps, n_resting);
     }
     EXPECT_EQ(status, RelaxationStatus::converged) << relaxer.report().blocking;
     expect_verified(relaxer.packing());

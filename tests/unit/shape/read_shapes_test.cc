@@ -322,5 +322,15 @@ TEST(ShapeFiles, DamagedAreReadOrRefusedButNothingElse) {
   EXPECT_GT(refused, 4000);
 }
 
+/// The corners of a cuboid that are furthest from each other are those of a rectangle.
+TEST(ShapeFiles, OfACuboidAreTakenWithFourCornersThatSpanAVolume) {
+  for (const double height : {0.5, 1.0, 2.0}) {
+    const std::string text = off_text(convex_hull<3>(test::box_points(1, 1, height)).polytope);
+    const auto few = parse_shapes<3>("box.off", text, {.vertices = 4})[0];
+    EXPECT_EQ(few.shape.n_vertices(), 4);
+    EXPECT_GE(few.shape.volume, height / 6.0 - 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace floc

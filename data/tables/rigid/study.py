@@ -39,7 +39,7 @@ RUNS = {
     **{f"span-0.9-rate-{i}": ("wide_span", ["grains.count=1500", "grains.diameter.min=0.0526", f"load.0.inertial_number={i}"], CRITICAL)
        for i in ("0.03", "0.054")},
     # A start at rest is not found: small disks keep leaving their places. Sheared states do not depend on it.
-    "span-0.96-10000-rate-0.1": ("wide_span", ["load.0.inertial_number=0.1", "dynamics.gap_tolerance=0.1", 'dynamics.finish="none"',
+    "span-0.96-rate-0.1-10000": ("wide_span", ["load.0.inertial_number=0.1", "dynamics.gap_tolerance=0.1", 'dynamics.finish="none"',
                                                "equilibrium.force=0.2", "equilibrium.moment=0.2", "equilibrium.stress=0.1",
                                                "equilibrium.energy=0.01"], CRITICAL),
     "spheres": ("rigid_spheres", ["grains.count=2000", "contact.friction.coefficient=0.5"], {"spheres-sheared": range(6, 11), "spheres": AT_REST}),

@@ -19,6 +19,7 @@
 #include "floc/packing/overlaps.h"
 #include "process/command.h"
 #include "process/output.h"
+#include "process/output_files.h"
 
 namespace floc {
 namespace {
@@ -188,9 +189,7 @@ int convert(const std::string& in, const std::string& out, const ExportFormat& t
   std::vector<std::filesystem::path> outputs = {out};
   if (!to.second_extension.empty())
     outputs.push_back(std::filesystem::path(out).replace_extension(to.second_extension));
-  for (const std::filesystem::path& output : outputs)
-    if (!arguments.overwrite && std::filesystem::exists(output))
-      throw InputError(output, "this file exists already; give --overwrite to replace it");
+  for (const std::filesystem::path& output : outputs) require_new_file(output, arguments.overwrite);
   const ImportFormat& from = find_import_format(arguments.from, in);
   Imported imported = from.read(in, import_options(arguments));
   ConversionSummary summary;

@@ -25,17 +25,6 @@ struct PlanCommand {
   Printing printing;
 };
 
-/// Checks, before anything is run, that the file of a plan may be written. write_output() refuses the name of the
-/// scene.
-/// @throws InputError if the file exists and may not be replaced
-void require_new_file(const PlanCommand& arguments) {
-  std::error_code error;
-  if (arguments.overwrite || !std::filesystem::exists(arguments.output, error) ||
-      std::filesystem::equivalent(arguments.output, arguments.plan.scene, error))
-    return;
-  throw InputError(arguments.output, "this file exists already; give --overwrite to replace it");
-}
-
 void write_plan(const PlansOfScene& plans, const std::string& output) {
   write_output(output, plans.file(output));
   spdlog::info("wrote {0}; you may run next: floc {2} {0} -o {1}", shell_word(output),
@@ -48,7 +37,10 @@ int make_plan(const PlanCommand& arguments) {
     throw InputError(
         "--output " + arguments.output,
         "the file of a plan names the scene file: expected the name of a scene file in place of -");
-  if (!arguments.output.empty()) require_new_file(arguments);
+  // write_output() refuses the name of the scene.
+  std::error_code error;
+  if (!arguments.output.empty() && !std::filesystem::equivalent(arguments.output, arguments.plan.scene, error))
+    require_new_file(arguments.output, arguments.overwrite);
   const PlansOfScene plans(arguments.plan, [](const std::string& remark) { spdlog::info("{}", remark); });
   print_table(plans.table(), arguments.printing);
   if (!arguments.output.empty()) write_plan(plans, arguments.output);

@@ -38,8 +38,7 @@ struct SceneArguments {
 };
 
 /// Prints the expected processor time and memory of a run if a table of prices gives them.
-void tell_price(const Scene& scene, const std::string& prices) {
-  const RunCost cost = cost_of_run(scene, prices);
+void tell_price(const Scene& scene, const RunCost& cost) {
   if (cost.is_priced())
     spdlog::info("by the prices of the kind {}, a run takes {} of processor time and {:.0f} MB of memory",
                  scene_kind(scene), duration_in_words(cost.core_seconds), *cost.memory_mb);
@@ -48,15 +47,15 @@ void tell_price(const Scene& scene, const std::string& prices) {
 int check_scene(const SceneArguments& arguments) {
   const Scene scene = read_scene(arguments.path, arguments.overrides, arguments.prices);
   Table table{{"group", "value", "meaning"}, {}};
-  for (const DerivedGroup& g : derived_groups(scene, arguments.prices))
-    table.rows.push_back({g.name, g.value, g.meaning});
+  const RunCost cost = cost_of_run(scene, arguments.prices);
+  for (const DerivedGroup& g : derived_groups(scene, cost)) table.rows.push_back({g.name, g.value, g.meaning});
   print_table(table, arguments.printing);
   if (!arguments.sizes.empty())
     write_csv(arguments.sizes, size_table(size_classes(scene.grains, scene.dimension)));
   if (!scene.start.empty()) spdlog::info("starting state: {}", scene.start);
   if (!scene.accuracy.empty())
     spdlog::info("numerical settings chosen for the accuracy that the scene requires: {}", scene.accuracy);
-  tell_price(scene, arguments.prices);
+  tell_price(scene, cost);
   const std::vector<std::string> warnings = scene_warnings(scene);
   for (const std::string& warning : warnings) spdlog::warn("{}: warning: {}", arguments.path, warning);
   spdlog::info("{}: the scene has no faults{}", arguments.path,

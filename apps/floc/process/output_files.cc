@@ -75,6 +75,12 @@ void write_output(const std::string& path, std::string_view bytes) {
   });
 }
 
+void require_new_file(const std::filesystem::path& path, bool overwrite) {
+  std::error_code error;
+  if (!overwrite && std::filesystem::exists(path, error))
+    throw InputError(path.string(), "this file exists already; give --overwrite to replace it");
+}
+
 void write_csv(const std::string& path, const Table& table) {
   if (path == "-")
     throw InputError(path,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,11 @@ void write_once(const std::string& path, const std::function<void()>& write);
 /// would destroy
 /// @throws IoError if the file cannot be written
 void write_output(const std::string& path, std::string_view bytes);
+
+/// Checks, before anything is computed, that an output may be written.
+/// @param overwrite  whether the user allows to replace the file
+/// @throws InputError if the file exists and may not be replaced
+void require_new_file(const std::filesystem::path& path, bool overwrite);
 
 /// Writes a table as csv, as write_output() does.
 void write_csv(const std::string& path, const Table& table);

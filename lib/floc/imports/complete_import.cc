@@ -72,8 +72,7 @@ std::string stress_without_effect(const ImportCompletion& completion, const Pack
   if (completion.stress.empty() || axes.empty()) return "";
   return fmt::format(
       "{} does not act along {}, where no wall follows forces: it is only part of the pressure that is the "
-      "unit of "
-      "the residuals; --wall-masses gives the masses of walls that move",
+      "unit of the residuals; --wall-masses gives the masses of walls that move",
       completion.stress_place, axes);
 }
 

@@ -71,10 +71,8 @@ std::string PointMisfits::sentence() const {
   if (n_misfits_ == 0) return "";
   return fmt::format(
       "{} of {} contact points do not fit the shapes (first at {}): a surface lies up to {:.2g} diameters of "
-      "the "
-      "smaller grain away from the point{}, so that a position, an orientation, a shape, or the point, normal "
-      "or gap "
-      "of a contact is wrong",
+      "the smaller grain away from the point{}, so that a position, an orientation, a shape, or the point, "
+      "normal or gap of a contact is wrong",
       n_misfits_, n_points_, first_, largest_, worst_ == first_ ? "" : fmt::format(" ({})", worst_));
 }
 

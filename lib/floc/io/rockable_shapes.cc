@@ -78,7 +78,7 @@ bool is_sphere(const Mesh<3>& shape) {
 RockableShapes::RockableShapes(const std::string& path) : path_(path) {
   for (Mesh<3>& mesh : parse_rockable(path, read_text(path))) {
     const std::string name = mesh.name;
-    meshes_.insert_or_assign(name, std::move(mesh));
+    meshes_.emplace(name, std::move(mesh));
   }
 }
 

@@ -142,8 +142,7 @@ PriceModel PlansOfScene::make_model(const Remark& tell) {
 }
 
 PlanChoice PlansOfScene::choose() {
-  const PlanSource source{wishes_.scene, wishes_.overrides, prices_, request_.cores};
-  model_.remove_settings([&](const PricedSettings& s) { return !allows(source, scene_, s); });
+  model_.remove_settings([from = source(), this](const PricedSettings& s) { return !allows(from, scene_, s); });
   std::vector<std::string> names;
   for (const ObservablePrice& o : model_.observables()) names.push_back(o.name);
   request_.wants = wants_of(wishes_.wants, names);
@@ -188,8 +187,7 @@ Table PlansOfScene::table() const {
 }
 
 std::string PlansOfScene::file(const std::string& output) const {
-  return plan_file(best(), choice_.observables, scene_,
-                   {wishes_.scene, wishes_.overrides, prices_, request_.cores}, output);
+  return plan_file(best(), choice_.observables, scene_, source(), output);
 }
 
 Table check_table(const std::vector<PlanCheck>& checks) {

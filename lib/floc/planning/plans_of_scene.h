@@ -51,6 +51,7 @@ class PlansOfScene {
  private:
   PriceModel make_model(const Remark& tell);
   PlanChoice choose();
+  PlanSource source() const { return {wishes_.scene, wishes_.overrides, prices_, request_.cores}; }
 
   PlanWishes wishes_;
   PlanRequest request_;

@@ -99,8 +99,8 @@ class PriceModel {
   PricedError error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
                     double n_samples) const;
   /// Returns the half width of the 95 % interval of the difference, in the table, between the mean of an observable
-  /// with these settings and with the strictest settings, divided by the mean; NaN if it was not measured. If the error
-  /// of a plan is smaller, the table cannot tell whether the settings keep it.
+  /// with these settings and with the strictest settings, divided by the mean; NaN if it was not measured. The
+  /// table cannot tell whether the settings keep a smaller error.
   double unknown_difference(const ObservablePrice& observable, const PricedSettings& settings) const;
 
  private:

@@ -44,8 +44,8 @@ bool is_settable(const std::string& parameter) {
   return std::find(kSettable.begin(), kSettable.end(), parameter) != kSettable.end();
 }
 
-/// Returns the tolerance of the sweeps of rigid grains that a row of a table gives; absent if the row has the tolerance
-/// of the scene of the table, or is about elastic grains.
+/// Returns the tolerance of the sweeps of rigid grains that a row of a table gives. The result is absent for elastic
+/// grains, and for rows with the tolerance of the scene of the table.
 std::optional<double> sweep_tolerance_of(const PriceTable& table, const PriceRow& row) {
   if (row.parameter == "sweep_tolerance") return leading_number(row.value);
   if (row.parameter == "together" && table.is_of_rigid_grains())

@@ -45,8 +45,8 @@ struct PricedSettings {
   bool is_reference() const { return parameter == "strict"; }
   std::string name() const { return parameter + " " + value; }
   /// Whether the sweeps of rigid grains end earlier than by default. Sweeps that end early compact large packings by
-  /// more than small ones: 1000 disks to 0.832 instead of 0.799 with a tolerance of 1e-2. The small samples of a table
-  /// of prices do not resolve this error, so such settings are never chosen.
+  /// more than small ones: 1000 disks to 0.832 instead of 0.799 with a tolerance of 1e-2. Such settings are never
+  /// chosen, because the small samples of a table of prices do not resolve this error.
   bool has_loose_sweeps() const {
     return sweep_tolerance && *sweep_tolerance > ContactDynamicsOptions{}.sweep_tolerance;
   }

@@ -381,7 +381,7 @@ double expected_cost(const Scene& scene) {
          std::sqrt(stiffness / kTimedStiffness) * kTimedStep / step;
 }
 
-std::vector<DerivedGroup> derived_groups(const Scene& scene, const std::string& prices) {
+std::vector<DerivedGroup> derived_groups(const Scene& scene, const RunCost& cost) {
   const double a = scene.grains.largest();
   const double m = mass_of(scene, a);
   Groups groups;
@@ -425,7 +425,6 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene, const std::string& 
   const int assembled = twice ? 2 : 1;
   groups.push_back({"equilibria", static_cast<double>(assembled + steps.up + steps.down),
                     "number of states (equilibria) of the run"});
-  const RunCost cost = cost_of_run(scene, prices);
   groups.push_back(
       {"cost", cost.core_seconds,
        cost.is_priced()
@@ -434,6 +433,10 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene, const std::string& 
            : "expected processor time on one core (s), roughly, since no table of prices applies: "
              "within a factor of two under pressures, of ten otherwise"});
   return groups;
+}
+
+std::vector<DerivedGroup> derived_groups(const Scene& scene) {
+  return derived_groups(scene, cost_of_run(scene));
 }
 
 }  // namespace floc

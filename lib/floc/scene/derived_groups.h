@@ -7,6 +7,8 @@
 
 namespace floc {
 
+struct RunCost;
+
 /// Number computed from the parameters of a scene, with its name and a text that gives its meaning. The number is
 /// dimensionless unless `meaning` contains a unit.
 struct DerivedGroup {
@@ -18,12 +20,12 @@ struct DerivedGroup {
 /// Returns the numbers that characterize a scene. The list begins with the dimensionless numbers, such as kappa
 /// (stiffness), P* (reduced pressure) of every stage, Ia (strain rate), ratios of stiffnesses, D0/a (range of the
 /// adhesion), h0/a (overlap caused by adhesion), the fraction of critical damping and V0/V* (speed at the start). The
-/// last numbers of the list are the time T0, the time step, the number of equilibria and the expected cost, which is
-/// that of cost_of_run(). In the names, a is the largest diameter. The list contains only numbers about effects that
-/// occur in the scene.
-/// @param prices  file of a table of prices, see cost_of_run()
-/// @throws InputError as cost_of_run()
-std::vector<DerivedGroup> derived_groups(const Scene& scene, const std::string& prices = "");
+/// last numbers of the list are the time T0, the time step, the number of equilibria and the expected cost. In the
+/// names, a is the largest diameter. The list contains only numbers about effects that occur in the scene.
+/// @param cost  expected cost of a run of the scene, see cost_of_run()
+std::vector<DerivedGroup> derived_groups(const Scene& scene, const RunCost& cost);
+/// Returns the numbers that characterize a scene, with the cost by the tables of prices that are shipped with floc.
+std::vector<DerivedGroup> derived_groups(const Scene& scene);
 
 /// Returns the stiffness number kappa = (E~/P)^(2/3) of elastic spheres under a pressure P, with E~ = E/(1 - nu^2)
 /// (Young's modulus E, Poisson's ratio nu). The ratio of the overlap of two spheres to their diameter is proportional

@@ -148,11 +148,11 @@ void check_stages(TableReader& root, const Scene& scene) {
               "{} = \"{}\": this stage imposes the lengths of all axes, but {}; expected a stage that keeps or "
               "imposes a stress",
               t.path_of("control"), stage.control,
-              scene.law.is_rigid() ? "rigid grains need a stress on at least one axis, because otherwise their "
-                                     "forces have no scale"
-                                   : "elastic grains with shapes need a stress on at least one axis in this "
-                                     "version of floc, because "
-                                     "their time step and their tolerances are relative to it"));
+              scene.law.is_rigid()
+                  ? "rigid grains need a stress on at least one axis, because otherwise their "
+                    "forces have no scale"
+                  : "elastic grains with shapes need a stress on at least one axis in this "
+                    "version of floc, because their time step and their tolerances are relative to it"));
   }
 }
 

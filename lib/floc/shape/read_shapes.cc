@@ -73,8 +73,8 @@ std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
 void leave_one_plane(const std::vector<Vec<3>>& points, std::vector<Vec<3>>& chosen) {
   constexpr double kThin = 1e-6;  // thickness, divided by the size, below which points count as coplanar
   const Vec<3> along = chosen[1] - chosen[0];
-  Vec<3> normal =
-      Vec<3>::Zero();  // of the largest triangle at the first two points, which are far from each other
+  // The normal is that of the largest triangle at the first two points, which are far from each other.
+  Vec<3> normal = Vec<3>::Zero();
   for (const Vec<3>& p : chosen)
     if (const Vec<3> across = along.cross(p - chosen[0]); across.norm() > normal.norm()) normal = across;
   normal.normalize();
@@ -84,7 +84,6 @@ void leave_one_plane(const std::vector<Vec<3>>& points, std::vector<Vec<3>>& cho
   const Vec<3> furthest = *std::ranges::max_element(points, lower);
   chosen.back() = furthest;
 }
-void leave_one_plane(const std::vector<Vec<2>>&, std::vector<Vec<2>>&) {}  // no three vertices lie on one line
 
 /// Chooses n of the given points that are far from each other. The first chosen point is furthest from the mean of all
 /// points. Each next chosen point has the largest distance from the nearest of the points chosen before.
@@ -102,7 +101,7 @@ std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) 
       distance[i] =
           k == 0 ? (points[i] - next).squaredNorm() : std::min(distance[i], (points[i] - next).squaredNorm());
   }
-  leave_one_plane(points, chosen);
+  if constexpr (Dim == 3) leave_one_plane(points, chosen);
   return chosen;
 }
 

@@ -88,6 +88,45 @@ double distance_to_surface(const Packing<Dim>& packing, int grain, const Vec<Dim
   return body.scale * std::max(depth, 0.0) + body.rounding();
 }
 
+/// A grain, or a periodic image of it, at whose surface a contact point lies.
+template <int Dim>
+struct GrainAtPoint {
+  int grain = 0;
+  Vec<Dim> offset = Vec<Dim>::Zero();  ///< vector from the centre of the first grain of the contact
+};
+
+/// Returns the arm of a contact point: the vector from the centre of the first grain to the periodic image of the point
+/// that lies at the surfaces of all `grains`. Grains that are longer than half the cell can be near several images of
+/// the point. The listed place is kept if no image of it fits clearly better.
+/// @param listed  vector from the centre of the first grain to the listed point
+template <int Dim>
+Vec<Dim> arm_at_surfaces(const Packing<Dim>& packing, std::span<const GrainAtPoint<Dim>> grains,
+                         const Vec<Dim>& listed) {
+  const std::vector<double>& radius = packing.grains.radius;
+  const auto is_within_reach = [&](const Vec<Dim>& arm) {
+    return std::ranges::all_of(grains, [&](const GrainAtPoint<Dim>& at) {
+      return (arm - at.offset).norm() <= (1.0 + kNearSurface) * radius[at.grain];
+    });
+  };
+  const auto misfit = [&](const Vec<Dim>& arm) {
+    double largest = 0.0;
+    for (const GrainAtPoint<Dim>& at : grains)
+      largest =
+          std::max(largest, distance_to_surface<Dim>(packing, at.grain, arm - at.offset) / radius[at.grain]);
+    return largest;
+  };
+  const Vec<Dim> nearest = nearest_of_images(packing, listed);
+  std::vector<Vec<Dim>> arms;
+  for (const Vec<Dim, int>& image : images_beside(packing)) {
+    arms.push_back(nearest + packing.cell.shift(image));
+    if (!is_within_reach(arms.back())) arms.pop_back();
+  }
+  if (arms.empty()) return nearest;
+  if (arms.size() == 1) return arms.front();
+  const Vec<Dim> best = *std::ranges::min_element(arms, {}, misfit);
+  return is_within_reach(listed) && misfit(listed) <= misfit(best) + kNearer ? listed : best;
+}
+
 template <int Dim>
 void require_near(const ListedContact& row, double distance, double radius, const char* body) {
   if (distance <= (1.0 + kFarthestPoint) * radius) return;
@@ -148,7 +187,9 @@ std::optional<Vec<Dim, int>> image_at_point(const ListedContact& row, const Pack
                                             const Contact<Dim>& contact) {
   const std::vector<Vec<Dim>>& x = packing.grains.position;
   const double radius = packing.grains.radius[contact.j];
-  const Vec<Dim> arm = nearest_of_images<Dim>(packing, row.point->template head<Dim>() - x[contact.i]);
+  const GrainAtPoint<Dim> first = {.grain = contact.i};
+  const Vec<Dim> arm =
+      arm_at_surfaces<Dim>(packing, std::span(&first, 1), row.point->template head<Dim>() - x[contact.i]);
   std::optional<Vec<Dim, int>> nearest;
   double least = std::numeric_limits<double>::infinity(), next = least;
   for (const Vec<Dim, int>& beside : images_beside<Dim>(packing)) {
@@ -172,10 +213,12 @@ void place_point(const ListedContact& row, bool reversed, const Packing<Dim>& pa
                                                    "point1, point2{} for contacts of grains with corners",
                                                    Dim == 3 ? ", point3" : ""));
   const Vec<Dim> to_second = branch(packing, c);
-  // The listed point may lie near any periodic image of grain i. The arm is the vector from the centre of the grain to
-  // the nearest image of this point. The arm of j follows from the branch vector, because a second search for the
-  // nearest image could find a point on another image of j.
-  c.arm_i = nearest_of_images<Dim>(packing, row.point->template head<Dim>() - packing.grains.position[c.i]);
+  // The listed point may lie near any periodic image of grain i. The arm of j follows from the branch vector, because a
+  // second search for an image of the point could find a point on another image of j.
+  std::vector<GrainAtPoint<Dim>> grains = {{.grain = c.i}};
+  if (!packing.is_wall(c.j)) grains.push_back({.grain = c.j, .offset = to_second});
+  c.arm_i =
+      arm_at_surfaces<Dim>(packing, grains, row.point->template head<Dim>() - packing.grains.position[c.i]);
   c.arm_j = c.arm_i - to_second;
   require_near<Dim>(row, c.arm_i.norm(), packing.grains.radius[c.i], reversed ? "second" : "first");
   if (!packing.is_wall(c.j))

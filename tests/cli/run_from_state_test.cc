@@ -60,6 +60,15 @@ TEST_F(RunFromAState, CopiesOfAnEquilibriumAreThatEquilibrium) {
   EXPECT_EQ(about.at("parent_sha256"), parent.at("sha256"));
 }
 
+/// The start has the masses that follow from the density, and they are in the states of the run again.
+TEST_F(RunFromAState, MovesWithEqualMasses) {
+  const Outcome made =
+      floc("run tiled.toml --set assembly.agitation=0.5 --set equilibrium.masses=equal -o equal");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const Outcome verified = floc("verify equal");
+  EXPECT_EQ(verified.code, 0) << verified.out;
+}
+
 TEST_F(RunFromAState, IsContinuedBitByBit) {
   const std::string agitated = "tiled.toml --set assembly.agitation=0.5";
   const Outcome whole = floc("run " + agitated + " -o whole");

@@ -127,20 +127,22 @@ TEST(TradeoffCommand, RefusesObservablesThatTheSceneDoesNotHave) {
 TEST(TradeoffCommand, ComparesTheParametersThatAreNamed) {
   const Outcome o =
       run_floc("tradeoff " + kSmall +
-               "--samples 2 --budget 1min --knobs softening,patience --observables phi --format json");
+               "--samples 2 --budget 1min --knobs softening,masses,patience --observables phi --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   std::set<std::string> knobs;
   for (const auto& row : nlohmann::json::parse(o.out)) {
     knobs.insert(row["knob"]);
     const bool soft = row["knob"] == "softening";
+    const bool heavy = row["knob"] == "masses";
     EXPECT_EQ(row["softening"] > 1.0, soft) << row["knob"];
-    // If the springs are softened during the assembly, the samples are different packings, so only mean values are
-    // compared.
-    if (soft) {
+    EXPECT_EQ(row["masses"], heavy ? "equal" : "own") << row["knob"];
+    // If the springs are softened or the masses changed during the assembly, the samples are different packings, so
+    // only mean values are compared.
+    if (soft || heavy) {
       EXPECT_TRUE(row["error_before_high"].is_null() && row["mean_difference"].is_number());
     }
   }
-  EXPECT_EQ(knobs, (std::set<std::string>{"strict", "scene", "softening", "patience", "samples"}));
+  EXPECT_EQ(knobs, (std::set<std::string>{"strict", "scene", "softening", "masses", "patience", "samples"}));
   const Outcome refused = run_floc("tradeoff " + kSmall + "--knobs colour");
   EXPECT_EQ(refused.code, 4);
   EXPECT_THAT(refused.err, HasSubstr("--knobs colour: a study of this scene does not vary this parameter"));

@@ -583,10 +583,10 @@ class Test:
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/softening/points.csv"))))
 
         def values(factors, name):
-            return [float(r[name]) for r in points if ("-".join(r[part] for part in parts), r["patience"]) == factors]
+            return [float(r[name]) for r in points if ("-".join(r[part] for part in parts), r["patience"], r["masses"]) == factors]
 
         parts = ("assembly", "to_0.1", "to_0.316", "to_1", "beyond")
-        strict_ones = ("1-1-1-1-1", "1")
+        strict_ones = ("1-1-1-1-1", "1", "own")
 
         def change(shown, factors, name, what, scale=1.0):
             base, other = values(strict_ones, name), values(factors, name)
@@ -595,9 +595,9 @@ class Test:
             self.number(mean, scale * (statistics.mean(other) - statistics.mean(base)), what)
             self.number(deviation, scale * error, what + ", two standard errors")
 
-        for softening, patience, pressure, samples, strict, soft, phi, z, B in self.claim_table("| softening | patience | P* |"):
-            factors = (softening, patience)
-            what = f"softening {softening}, patience {patience}, P* = {pressure}"
+        for softening, patience, masses, pressure, samples, strict, soft, phi, z, B in self.claim_table("| softening | patience | masses | P* |"):
+            factors = (softening, patience, masses)
+            what = f"softening {softening}, patience {patience}, masses {masses}, P* = {pressure}"
             self.number(samples, len(values(factors, "seed")), what + ", samples")
             self.mean_and_scatter(strict, values(strict_ones, "Phi_" + pressure), what + ", strict")
             self.mean_and_scatter(soft, values(factors, "Phi_" + pressure), what + ", soft")

@@ -76,6 +76,12 @@ TableValue softening_cell(const TradeoffRow& row, double Softening::*part) {
   return row.setting.setting.numerical.softening.*part;
 }
 
+/// Returns the masses with which grains move, as words; undefined for lattices and for rigid grains.
+TableValue masses_cell(const TradeoffRow& row) {
+  if (row.run.scene.law.is_rigid() || row.setting.setting.lattice) return {};
+  return std::string(masses_name(row.setting.setting.numerical.equal_masses));
+}
+
 const std::vector<Column<TradeoffRow>>& tradeoff_columns() {
   using Row = TradeoffRow;
   // The order of the columns matters: in the format "table", print_tradeoff() prints only the first eleven columns,
@@ -118,6 +124,7 @@ const std::vector<Column<TradeoffRow>>& tradeoff_columns() {
       {"memory_mb", [](const Row& r) { return or_undefined_number(r.setting.memory); }},
       {"softening", [](const Row& r) { return softening_cell(r, &Softening::load); }},
       {"assembly_softening", [](const Row& r) { return softening_cell(r, &Softening::assembly); }},
+      {"masses", masses_cell},
   };
   return columns;
 }

@@ -451,6 +451,7 @@ class Plan(Record):
     kind: str
     softening: float | None
     assembly_softening: float | None
+    masses: str
 
 class PlanCheck(Record):
     quantity: str

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Load paths of loose cohesive packings that collapse on softer springs: a row a path.
 
-  study.py FLOC DIRECTORY [--seeds A..B] [--softening S,...] [--patience P] [--count N]
+  study.py FLOC DIRECTORY [--seeds A..B] [--softening S,...] [--patience P] [--masses own|equal] [--count N]
 
-runs path.toml in DIRECTORY/soft-S/patience-P/seed-SEED, once for each S, five factors by which springs are softer (1: as they are),
-such as 10-10-1-1-1: in the assembly, up to P* = 0.1, up to 0.316, up to 1, and beyond. Computes the moduli at P* = 1 and 13.33. Runs
+runs path.toml in DIRECTORY/soft-S/patience-P/masses-M/seed-SEED, once for each S, five factors by which springs are softer (1: as they
+are), such as 10-10-1-1-1: in the assembly, up to P* = 0.1, up to 0.316, up to 1, and beyond. Computes the moduli at P* = 1 and 13.33. Runs
 that are there already are resumed or kept. Writes DIRECTORY/points.csv.
 """
 import argparse
@@ -21,7 +21,7 @@ STEPS = {"0.01": 1, "0.1": 9, "1": 17, "13.33": 26}  # number of the state at ea
 PARTS = ["assembly", "to_0.1", "to_0.316", "to_1", "beyond"]
 KEYS = ["assembly.softening"] + [f"load.{stage}.softening" for stage in range(4)]
 COLUMNS = (PARTS + ["patience", "seed"] + ["Phi_" + p for p in STEPS] + ["z_" + p for p in STEPS] +
-           ["B_1", "B_13.33", "million_steps"])
+           ["B_1", "B_13.33", "million_steps", "masses"])
 
 
 def run(floc, directory, *arguments):
@@ -37,12 +37,12 @@ def bulk_moduli(floc, directory):
 
 
 def point(floc, directory):
-    factors, patience, seed = re.search(r"soft-([^/]+)/patience-([^/]+)/seed-(\d+)$", directory).groups()
+    factors, patience, masses, seed = re.search(r"soft-([^/]+)/patience-([^/]+)/masses-([^/]+)/seed-(\d+)$", directory).groups()
     with open(os.path.join(directory, "path.csv")) as file:
         rows = {int(row["step"]): row for row in csv.DictReader(file)}
     ends = [rows[step] for step in STEPS.values()]
     return (factors.split("-") + [patience, seed] + [row["phi"] for row in ends] + [row["z"] for row in ends] + bulk_moduli(floc, directory) +
-            [f"{int(ends[-1]['n_steps']) / 1e6:g}"])
+            [f"{int(ends[-1]['n_steps']) / 1e6:g}", masses])
 
 
 def main():
@@ -52,6 +52,7 @@ def main():
     parser.add_argument("--seeds", default="1..24")
     parser.add_argument("--softening", default="1-1-1-1-1,10-10-1-1-1")
     parser.add_argument("--patience", default="1")
+    parser.add_argument("--masses", default="own", choices=["own", "equal"])
     parser.add_argument("--count", default="1400")
     options = parser.parse_args()
     floc = os.path.abspath(options.floc) if os.sep in options.floc else options.floc
@@ -59,14 +60,14 @@ def main():
     for seed in range(int(first), int(last or first) + 1):
         for factors in options.softening.split(","):
             changes = [f"{key}={factor}" for key, factor in zip(KEYS, factors.split("-"), strict=True)]
-            changes += [f"equilibrium.patience={options.patience}", f"grains.count={options.count}"]
-            place = os.path.join(options.directory, f"soft-{factors}", f"patience-{options.patience}", f"seed-{seed}")
+            changes += [f"equilibrium.patience={options.patience}", f"equilibrium.masses={options.masses}", f"grains.count={options.count}"]
+            place = os.path.join(options.directory, f"soft-{factors}", f"patience-{options.patience}", f"masses-{options.masses}", f"seed-{seed}")
             run(floc, place, "--seed", str(seed), *[word for change in changes for word in ("--set", change)])
-    points = [point(floc, d) for d in glob.glob(os.path.join(options.directory, "soft-*", "patience-*", "seed-*"))]
+    points = [point(floc, d) for d in glob.glob(os.path.join(options.directory, "soft-*", "patience-*", "masses-*", "seed-*"))]
     with open(os.path.join(options.directory, "points.csv"), "w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(COLUMNS)
-        table.writerows(sorted(points, key=lambda p: [float(x) for x in p[:len(PARTS) + 2]]))
+        table.writerows(sorted(points, key=lambda p: (p[-1] == "equal", [float(x) for x in p[:len(PARTS) + 2]])))
 
 
 if __name__ == "__main__":

@@ -45,7 +45,7 @@ BUDGET = {"disks-cohesive": 3.0, "beads-hertz": 3.0, "disks-cohesive-biaxial": 3
 MATRIX = {"disks-cemented": 0.1, "spheres-cemented": 0.2}
 
 # Values of columns that tables of earlier versions do not have.
-UNSTUDIED = {"softening": "1", "assembly_softening": "1"}
+UNSTUDIED = {"softening": "1", "assembly_softening": "1", "masses": "own"}
 
 
 def append(table, new):

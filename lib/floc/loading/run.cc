@@ -76,28 +76,11 @@ Run<Dim>::Run(RunOptions options)
       plan_(plan_run(options_.assembly, options_.law, options_.load, Dim)) {
   RandomStream random(options_.seed, kAssemblyStream);
   const AssemblyOptions& assembly = options_.assembly;
-  if (assembly.protocol == AssemblyOptions::Protocol::state) {
-    packing_ =
-        start_from<Dim>(assembly.saved.read_packing<Dim>(), options_.law, assembly.saved.copies_along<Dim>());
-    point_.parent_sha256 = assembly.saved.sha256;
-    if (assembly.saved.kept) {
-      const Vec<Dim> sides = packing_.cell.matrix.diagonal();
-      point_.last_sides.assign(sides.begin(), sides.end());
-      point_.last_stress = assembly.saved.kept->stress;
-    }
-    if (assembly.box) take_walls(*assembly.box, options_.law, packing_);
-  } else if (assembly.box && options_.grains.shape) {
-    packing_ = make_boxed_shaped_gas<Dim>(options_.grains, plan_.front().law, *assembly.box,
-                                          assembly.solid_fraction, options_.seed, random, assembly.gas);
-  } else if (assembly.box) {
-    packing_ = make_boxed_gas<Dim>(options_.grains, plan_.front().law, *assembly.box, assembly.solid_fraction,
-                                   random, assembly.gas);
-  } else if (options_.grains.shape) {
-    packing_ = make_shaped_gas<Dim>(options_.grains, plan_.front().law, assembly.solid_fraction, options_.seed,
-                                    random, assembly.gas);
-  } else {
-    packing_ = make_gas<Dim>(options_.grains, plan_.front().law, assembly.solid_fraction, random, assembly.gas);
-  }
+  const bool starts_from_gas = assembly.protocol != AssemblyOptions::Protocol::state;
+  take(starts_from_gas ? gas(random) : saved_packing());
+  // The gas between walls has velocities that fit the own masses of its grains.
+  if (options_.relaxation.equal_masses && assembly.box && starts_from_gas)
+    send_off(packing_, assembly.box->kinetic_pressure, random);
   point_.aggregating = assembly.protocol == AssemblyOptions::Protocol::aggregation;
   if (assembly.agitation > 0.0) agitate(packing_, agitation_speed(), random);
   point_.stream_state = random.state();
@@ -108,9 +91,58 @@ template <int Dim>
 Run<Dim>::Run(RunOptions options, RunPoint point, Packing<Dim> packing)
     : options_(checked(std::move(options))),
       plan_(plan_run(options_.assembly, options_.law, options_.load, Dim)),
-      point_(std::move(point)),
-      packing_(std::move(packing)) {
+      point_(std::move(point)) {
+  take(std::move(packing));
   if (!finished()) shake_and_start_step();
+}
+
+/// Returns the saved packing from which the run starts, and sets the members of point_ that refer to it.
+template <int Dim>
+Packing<Dim> Run<Dim>::saved_packing() {
+  const AssemblyOptions& assembly = options_.assembly;
+  Packing<Dim> packing =
+      start_from<Dim>(assembly.saved.read_packing<Dim>(), options_.law, assembly.saved.copies_along<Dim>());
+  point_.parent_sha256 = assembly.saved.sha256;
+  if (assembly.saved.kept) {
+    const Vec<Dim> sides = packing.cell.matrix.diagonal();
+    point_.last_sides.assign(sides.begin(), sides.end());
+    point_.last_stress = assembly.saved.kept->stress;
+  }
+  if (assembly.box) take_walls(*assembly.box, options_.law, packing);
+  return packing;
+}
+
+/// Returns the gas of grains with which the assembly starts.
+template <int Dim>
+Packing<Dim> Run<Dim>::gas(RandomStream& random) const {
+  const AssemblyOptions& assembly = options_.assembly;
+  const Law& law = plan_.front().law;
+  if (assembly.box && options_.grains.shape)
+    return make_boxed_shaped_gas<Dim>(options_.grains, law, *assembly.box, assembly.solid_fraction,
+                                      options_.seed, random, assembly.gas);
+  if (assembly.box)
+    return make_boxed_gas<Dim>(options_.grains, law, *assembly.box, assembly.solid_fraction, random,
+                               assembly.gas);
+  if (options_.grains.shape)
+    return make_shaped_gas<Dim>(options_.grains, law, assembly.solid_fraction, options_.seed, random,
+                                assembly.gas);
+  return make_gas<Dim>(options_.grains, law, assembly.solid_fraction, random, assembly.gas);
+}
+
+/// Takes a packing whose grains have their own masses. If the options ask for equal masses, its grains get the mass of
+/// the heaviest one.
+template <int Dim>
+void Run<Dim>::take(Packing<Dim> packing) {
+  packing_ = std::move(packing);
+  if (!options_.relaxation.equal_masses) return;
+  own_masses_ = packing_.grains.mass;
+  std::ranges::fill(packing_.grains.mass, largest_mass(packing_.grains));
+}
+
+/// Gives the grains of a packing, which take() has received, their own masses again.
+template <int Dim>
+void Run<Dim>::give_own_masses(Packing<Dim>& packing) const {
+  if (options_.relaxation.equal_masses) packing.grains.mass = own_masses_;
 }
 
 namespace {
@@ -331,16 +363,19 @@ template <int Dim>
 State<Dim> Run<Dim>::state() const {
   State<Dim> state = state_without_packing();
   state.packing = packing();
-  if (!equilibrator_) measure(state);
+  give_own_masses(state.packing);
+  // The kinetic energy depends on the masses.
+  if (!equilibrator_ || options_.relaxation.equal_masses) measure(state);
   return state;
 }
 
 template <int Dim>
 State<Dim> Run<Dim>::release_state() {
   State<Dim> state = state_without_packing();
-  const bool measured = equilibrator_ != nullptr;
+  const bool measured = equilibrator_ && !options_.relaxation.equal_masses;
   take_packing_back();
   state.packing = std::move(packing_);
+  give_own_masses(state.packing);
   if (!measured) measure(state);
   return state;
 }
@@ -350,7 +385,7 @@ State<Dim> Run<Dim>::release_state() {
 /// steps, point_ and the packing determine the rest of the run.
 template <int Dim>
 void Run<Dim>::restore_packing(Packing<Dim> packing) {
-  packing_ = std::move(packing);
+  take(std::move(packing));
   start_step();
 }
 

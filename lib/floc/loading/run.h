@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "floc/assembly/aggregation.h"
+#include "floc/base/random.h"
 #include "floc/loading/run_options.h"
 #include "floc/loading/run_plan.h"
 #include "floc/packing/state.h"
@@ -106,6 +107,10 @@ class Run {
   int n_clusters() const { return aggregation_ ? aggregation_->n_clusters() : 1; }
 
  private:
+  Packing<Dim> saved_packing();
+  Packing<Dim> gas(RandomStream& random) const;
+  void take(Packing<Dim> packing);
+  void give_own_masses(Packing<Dim>& packing) const;
   void shake_and_start_step();
   void begin_stage();
   LoadTarget<Dim> load() const;
@@ -122,6 +127,8 @@ class Run {
   /// Packing of the run. While the packing is in aggregation_ or equilibrator_, this member is empty, so that the
   /// packing is in memory only once.
   Packing<Dim> packing_;
+  /// masses of the grains, in the order of the packing, if RelaxationOptions::equal_masses is set; otherwise empty
+  std::vector<double> own_masses_;
   std::unique_ptr<Aggregation<Dim>> aggregation_;
   std::unique_ptr<Equilibrator<Dim>> equilibrator_;
   MotionObserver<Dim> observer_;

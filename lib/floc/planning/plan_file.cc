@@ -122,6 +122,8 @@ std::vector<std::string> changes_of(const PricedSettings& chosen, const Scene& s
   changes.push_back(fmt::format("equilibrium.patience={:g}", s.patience));
   if (!scene.assembly.box) changes.push_back(fmt::format("equilibrium.finish={}", finish_name(s.finish)));
   changes.push_back(fmt::format("run.time_step={:g}", s.time_step));
+  if (s.equal_masses != scene.relaxation.equal_masses)
+    changes.push_back(fmt::format("equilibrium.masses={}", masses_name(s.equal_masses)));
   add_softening(s.softening, scene, changes);
   return changes;
 }

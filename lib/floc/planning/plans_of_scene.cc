@@ -150,10 +150,10 @@ PlanChoice PlansOfScene::choose() {
 }
 
 Table PlansOfScene::table() const {
-  Table table{{"plan",           "observable", "error",         "n_grains",   "n_samples",
-               "knob",           "value",      "cpu_hours",     "wall_hours", "memory_mb",
-               "error_settings", "error_size", "error_scatter", "tolerance",  "time_step",
-               "finish",         "patience",   "kind",          "softening",  "assembly_softening"},
+  Table table{{"plan",          "observable",         "error",      "n_grains",  "n_samples",      "knob",
+               "value",         "cpu_hours",          "wall_hours", "memory_mb", "error_settings", "error_size",
+               "error_scatter", "tolerance",          "time_step",  "finish",    "patience",       "kind",
+               "softening",     "assembly_softening", "masses"},
               {}};
   const std::string kind = scene_kind(scene_);
   for (std::size_t p = 0; p < choice_.plans.size(); ++p) {
@@ -180,7 +180,8 @@ Table PlansOfScene::table() const {
                             s.patience,
                             kind,
                             s.softening.load,
-                            s.softening.assembly});
+                            s.softening.assembly,
+                            std::string(masses_name(s.equal_masses))});
     }
   }
   return table;

@@ -39,8 +39,8 @@ bool is_of_cell(const std::string& parameter) {
 /// elastic grains, others to rigid grains.
 bool is_settable(const std::string& parameter) {
   static const std::vector<std::string> kSettable = {
-      "strict",   "scene",           "finish",        "tolerance", "time_step",         "patience",
-      "together", "sweep_tolerance", "gap_tolerance", "softening", "assembly_softening"};
+      "strict",   "scene",           "finish",        "tolerance", "time_step",          "patience",
+      "together", "sweep_tolerance", "gap_tolerance", "softening", "assembly_softening", "masses"};
   return std::find(kSettable.begin(), kSettable.end(), parameter) != kSettable.end();
 }
 
@@ -140,7 +140,7 @@ class AccuracyChooser {
                   double tolerance_limit)
       : table_(table), candidates_(settable_prices(table)), additions_(cell_prices(table, cells)) {
     std::erase_if(candidates_, [&](const PricedSettings& c) {
-      return c.settings.softening.any() || c.has_loose_sweeps() ||
+      return c.settings.changes_path() || c.has_loose_sweeps() ||
              (!c.is_reference() && c.settings.tolerance >= tolerance_limit);
     });
     for (const auto& [key, asked] : wanted) wanted_.push_back({key, asked, priced_observables(table, key)});
@@ -269,9 +269,9 @@ double settings_error(const PricedSettings& settings, const std::string& observa
   const auto found = settings.of.find(observable);
   if (found == settings.of.end()) return std::numeric_limits<double>::quiet_NaN();
   const PriceRow& row = *found->second;
-  // Soft springs change the mean, perhaps by more than the measured difference. Therefore the half width of the
-  // confidence interval is added to the difference in quadrature. Without soft springs, it is subtracted.
-  if (settings.settings.softening.any()) return std::hypot(row.mean_difference, row.mean_error);
+  // Soft springs and equal masses change the mean, perhaps by more than the measured difference. Therefore the half
+  // width of the confidence interval is added to the difference in quadrature. For other settings, it is subtracted.
+  if (settings.settings.changes_path()) return std::hypot(row.mean_difference, row.mean_error);
   const double detected = std::isfinite(row.mean_error)
                               ? std::max(0.0, std::abs(row.mean_difference) - row.mean_error)
                               : std::numeric_limits<double>::quiet_NaN();

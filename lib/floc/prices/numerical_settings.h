@@ -11,6 +11,11 @@ constexpr const char* finish_name(Finish finish) {
   return finish == Finish::automatic ? "auto" : finish == Finish::dynamic ? "dynamic" : "static";
 }
 
+/// Returns the keyword by which a scene selects the masses with which grains move: "own" or "equal".
+constexpr const char* masses_name(bool equal) {
+  return equal ? "equal" : "own";
+}
+
 /// Factors >= 1 by which the stiffness of springs is divided while grains rearrange (RelaxationOptions::softening).
 struct Softening {
   double assembly = 1.0;  ///< factor while the grains are put together
@@ -32,11 +37,16 @@ struct NumericalSettings {
   double patience = 1.0;
   /// apply() and of() ignore this member, because parts of a run may have different factors (scene/scene_softening.h).
   Softening softening = {};
+  bool equal_masses = false;  ///< see RelaxationOptions::equal_masses
 
   /// Returns the tolerance of the kinetic energy. A packing with a lower energy counts as at rest. The result is 5e-3
   /// times `tolerance`, but at least 5e-8. A stricter value is not needed, because the remaining motion is removed
   /// afterwards.
   double energy() const { return 5e-3 * std::max(tolerance, 1e-5); }
+
+  /// Whether a packing may collapse to another state than with springs of the contact law and the own masses of the
+  /// grains. Such states are compared by their means alone.
+  bool changes_path() const { return softening.any() || equal_masses; }
 
   /// Writes these settings into the options of a relaxation.
   void apply(RelaxationOptions& options) const {
@@ -44,12 +54,17 @@ struct NumericalSettings {
     options.time_step = time_step;
     options.finish = finish;
     options.patience = patience;
+    options.equal_masses = equal_masses;
   }
 
   /// Returns the settings in the options of a relaxation. The member `tolerance` of the result is the tolerance of
   /// forces in the options.
   static NumericalSettings of(const RelaxationOptions& options) {
-    return {options.tolerance.force, options.time_step, options.finish, options.patience};
+    return {.tolerance = options.tolerance.force,
+            .time_step = options.time_step,
+            .finish = options.finish,
+            .patience = options.patience,
+            .equal_masses = options.equal_masses};
   }
 
   bool operator==(const NumericalSettings&) const = default;

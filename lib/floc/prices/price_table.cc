@@ -73,6 +73,14 @@ double softening_in(const Cells& cells, const std::string& column) {
   return std::isnan(factor) ? 1.0 : factor;
 }
 
+/// Returns whether the grains of a row move with equal masses; false if the table does not contain it.
+bool equal_masses_in(const Cells& cells) {
+  const std::string word = cells.text("masses");
+  if (!word.empty() && word != masses_name(false) && word != masses_name(true))
+    cells.refuse("masses", fmt::format("{} or {}", masses_name(false), masses_name(true)));
+  return word == masses_name(true);
+}
+
 /// Returns the finish of the relaxation in a row. Rows for rigid grains and for lattices have other words in this
 /// column, which name no finish of a relaxation.
 Finish finish_in(const Cells& cells) {
@@ -94,7 +102,8 @@ NumericalSettings settings_in(const Cells& cells) {
           cells.positive("time_step"),
           finish_in(cells),
           cells.positive("patience"),
-          {softening_in(cells, "assembly_softening"), softening_in(cells, "softening")}};
+          {softening_in(cells, "assembly_softening"), softening_in(cells, "softening")},
+          equal_masses_in(cells)};
 }
 
 PriceRow row_of(const Cells& cells) {
@@ -185,7 +194,7 @@ PriceTable read_price_table(const std::string& csv, const std::string& place) {
                       next.parameter, next.value, next.observable));
     table.rows.push_back(std::move(next));
     const PriceRow& read = table.rows.back();
-    for (const std::string column : {"softening", "assembly_softening"})
+    for (const std::string column : {"softening", "assembly_softening", "masses"})
       if (read.parameter == column && !cells.has(column))
         throw InputError(cells.place(row),
                          fmt::format("this row is of the knob {0}, but the column {0} is missing: expected "

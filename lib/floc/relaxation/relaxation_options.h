@@ -61,6 +61,9 @@ struct RelaxationOptions {
   /// Factor by which the stiffness of the contact springs is reduced while the grains rearrange, >= 1 (SoftRelaxer). In
   /// every equilibrium, the springs have the stiffness of the contact law again.
   double softening = 1.0;
+  /// Whether each grain moves with the mass of the heaviest one (Run). The time step is then no longer limited by the
+  /// smallest grains. No equilibrium depends on masses, except under gravity.
+  bool equal_masses = false;
   ContactDynamicsOptions contact_dynamics;  ///< settings for rigid contacts
   CompactionEnd compaction;                 ///< criterion that ends the compaction of a packing between walls
 };

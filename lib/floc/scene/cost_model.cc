@@ -28,11 +28,11 @@ constexpr double kLeastOfElasticGrains = 1.1, kLeastOfRigidGrains = 1.4;
 /// states. kShareOfStrainSteps applies to tests that impose strains: a test of 150 disks took 0.71 s with 21 states and
 /// 5.99 s with 251 states at the same final strain.
 constexpr double kShareOfSteps = 0.3, kShareOfStrainSteps = 0.68;
-/// Shares of the processor time of a run. kShareOfSoft: time during which springs may be soft; used if a table has no
-/// rows of softening. kShareOfAssembly: time before the first pressure of the load path is reached. Both were measured
-/// on 1400 cohesive disks: 0.57 of the time steps were made before the first pressure was reached. Springs softer by a
-/// factor of 5 reduced the time to 0.6 of the time with full stiffness, and springs softer by a factor of 10 reduced it
-/// to 0.57.
+/// Shares of the processor time of a run. kShareOfSoft: time that is proportional to the number of time steps; used if
+/// a table has no rows of softening or of masses. kShareOfAssembly: time before the first pressure of the load path is
+/// reached. Both were measured on 1400 cohesive disks: 0.57 of the time steps were made before the first pressure was
+/// reached. Springs softer by a factor of 5 reduced the time to 0.6 of the time with full stiffness, and springs softer
+/// by a factor of 10 reduced it to 0.57.
 constexpr double kShareOfSoft = 0.7, kShareOfAssembly = 0.57;
 /// Memory (MB) of the program itself, and memory (MB) per grain in two and in three dimensions. The values apply to
 /// runs that complete equilibria by Newton's method.
@@ -171,6 +171,17 @@ double CostModel::time_with_softening(const Softening& softening) const {
   return kShareOfAssembly * time(softening.assembly) + (1.0 - kShareOfAssembly) * time(softening.load);
 }
 
+/// Returns the processor time of a run in which grains move with equal masses, divided by the time with their own
+/// masses. The time step is proportional to the root of the smallest mass.
+double CostModel::time_with_equal_masses() const {
+  const auto scene_row = std::ranges::find(settings_, "scene", &PricedSettings::parameter);
+  const auto row = std::ranges::find(settings_, "masses", &PricedSettings::parameter);
+  if (row != settings_.end() && scene_row != settings_.end() && !scene_row->settings.equal_masses)
+    return row->core_seconds / scene_row->core_seconds;
+  const double ratio = scene_.grains.smallest() / scene_.grains.largest();
+  return 1.0 - kShareOfSoft + kShareOfSoft * std::pow(ratio, 0.5 * scene_.dimension);
+}
+
 /// Returns the processor time with a value of a parameter, divided by the time with the settings `plain`. The ratio is
 /// interpolated by power laws between the rows of the table; it is 1 if the table has no such rows.
 /// @param value_of_table  value of the parameter in the settings `plain`; absent if it is not known
@@ -209,6 +220,8 @@ PricedSettings CostModel::settings_of_scene() const {
     if (!settings.is_reference() && settings.settings == own) return settings;
   plain.core_seconds *= plain.settings.time_step / own.time_step;
   plain.core_seconds *= time_with_softening(own.softening) / time_with_softening(plain.settings.softening);
+  if (own.equal_masses != plain.settings.equal_masses)
+    plain.core_seconds *= own.equal_masses ? time_with_equal_masses() : 1.0 / time_with_equal_masses();
   return plain;
 }
 

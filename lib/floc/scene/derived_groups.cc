@@ -28,7 +28,8 @@ double time_step(const Scene& scene) {
   smallest.law = scene.law;
   smallest.grains = Grains<Dim>::with_size(1);
   smallest.grains.radius[0] = 0.5 * scene.grains.smallest();
-  smallest.grains.mass[0] = mass_of(scene, scene.grains.smallest());
+  smallest.grains.mass[0] =
+      mass_of(scene, scene.relaxation.equal_masses ? scene.grains.largest() : scene.grains.smallest());
   return time_step_of(smallest, scene.relaxation.time_step, scene.assembly.pressure);
 }
 

@@ -23,7 +23,8 @@ void refuse_settings(TableReader& root) {
     t.refuse(key,
              fmt::format("{} is chosen by [accuracy]: expected either this key or [accuracy]", t.path_of(key)));
   };
-  for (const char* key : {"force", "moment", "stress", "energy", "patience"}) refuse(equilibrium, key);
+  for (const char* key : {"force", "moment", "stress", "energy", "patience", "masses"})
+    refuse(equilibrium, key);
   const auto finish = equilibrium.text("finish", "a string", TableReader::Need::optional);
   if (finish && *finish != "auto") refuse(equilibrium, "finish");
   refuse(run, "time_step");

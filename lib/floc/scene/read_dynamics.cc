@@ -117,7 +117,8 @@ void refuse_smooth_dynamics(TableReader& root, bool rigid) {
        rigid
            ? "dynamics.finish chooses among the possible forces of rigid grains at rest; give this key instead"
            : "contact dynamics ends in Newton steps; remove the key"},
-      {"patience", "contact dynamics has its own criteria for the end of motion; remove the key"}};
+      {"patience", "contact dynamics has its own criteria for the end of motion; remove the key"},
+      {"masses", "the time step of contact dynamics does not depend on the masses; remove the key"}};
   TableReader run = root.table("run", "", Need::optional);
   TableReader equilibrium = root.table("equilibrium", "", Need::optional);
   const auto refuse = [&](TableReader& t, const KeyInPlace& k) {

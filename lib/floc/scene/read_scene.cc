@@ -18,6 +18,7 @@
 #include "floc/prices/numerical_settings.h"
 #include "floc/prices/price_table.h"
 #include "floc/scene/cell_defaults.h"
+#include "floc/scene/check_masses.h"
 #include "floc/scene/check_resolution.h"
 #include "floc/scene/check_softening.h"
 #include "floc/scene/read_accuracy.h"
@@ -252,6 +253,7 @@ void read_equilibrium(TableReader& root, Scene& scene) {
                Need::optional)
           .value_or(relaxation.patience);
   relaxation.finish = kFinishes[finish.value_or(0)];
+  relaxation.equal_masses = t.choice("masses", {"own", "equal"}, Need::optional).value_or(0) == 1;
   relaxation.softening = t.number("softening", kSoftening, Need::optional).value_or(relaxation.softening);
   t.refuse_other_keys();
 }
@@ -410,6 +412,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   const bool has_chosen = read_accuracy(root, source, prices, scene);
   check_resolution(root, scene);
   check_softening(root, source, scene);
+  check_masses(root, scene);
   check_shapes(root, source, scene);
   root.refuse_other_keys();
   source.throw_faults();

@@ -9,6 +9,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/nearest_name.h"
+#include "floc/scene/check_masses.h"
 #include "floc/scene/scene_softening.h"
 
 namespace floc {
@@ -76,6 +77,7 @@ void add_together(const Scene&, const StudiedSetting& base, Settings& list) {
         [&](StudiedSetting& s) {
           s.numerical = n;
           s.numerical.softening = base.numerical.softening;
+          s.numerical.equal_masses = base.numerical.equal_masses;
         },
         list);
   };
@@ -187,6 +189,13 @@ void add_assembly_softening(const Scene& scene, const StudiedSetting& base, Sett
             s.numerical.softening = {factor, 1.0};
           },
           list);
+}
+
+/// Adds the setting in which grains of several sizes move with equal masses, if the scene allows it.
+void add_masses(const Scene& scene, const StudiedSetting& base, Settings& list) {
+  if (!equal_masses_fault(scene).empty() || !(scene.grains.smallest() < scene.grains.largest())) return;
+  add(
+      base, "masses", masses_name(true), [](StudiedSetting& s) { s.numerical.equal_masses = true; }, list);
 }
 
 void add_patience(const Scene&, const StudiedSetting& base, Settings& list) {
@@ -318,6 +327,7 @@ const std::vector<DeclaredSetting>& declared_settings() {
       {"patience", applies_to_elastic, add_patience},
       {"softening", applies_to_newton, add_softening},
       {"assembly_softening", applies_to_newton, add_assembly_softening},
+      {"masses", applies_to_elastic, add_masses},
       {"strain_rate_cap", applies_to_cells, add_rate_cap},
       {"cell_mass", applies_to_cells, add_cell_mass},
       {"count", has_any_number_of_grains, add_count},

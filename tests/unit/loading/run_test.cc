@@ -57,33 +57,35 @@ void expect_measured(const State<2>& state) {
 /// A state takes over quantities that the relaxer has measured. They must equal the quantities that are computed again
 /// from the packing of the state.
 TEST(Run, StatesCarryWhatWasMeasuredOfThem) {
-  for (const Finish finish : {Finish::automatic, Finish::dynamic}) {
-    RunOptions options = losing_adhesion();
-    options.grains.count = 30;
-    options.grains.diameter.min = 0.5;
-    options.grains.diameter.max = 1.0;
-    options.assembly.solid_fraction = 0.6;
-    options.load.front().set.clear();
-    options.load.front().to = 0.6;
-    options.load.front().steps = 1;
-    options.relaxation.finish = finish;
-    floc::Run<2> run(options);
-    while (!run.finished()) {
-      const RunEvent event = run.advance();
-      ASSERT_NE(event, RunEvent::gave_up) << run.report().blocking;
-      const State<2> state = run.state();
-      expect_measured(state);
-      if (event == RunEvent::equilibrium) {
-        EXPECT_EQ(state.n_negative, stability(state.packing).n_negative);
-        run.saved("");
-        continue;
+  for (const bool equal_masses : {false, true})
+    for (const Finish finish : {Finish::automatic, Finish::dynamic}) {
+      RunOptions options = losing_adhesion();
+      options.relaxation.equal_masses = equal_masses;
+      options.grains.count = 30;
+      options.grains.diameter.min = 0.5;
+      options.grains.diameter.max = 1.0;
+      options.assembly.solid_fraction = 0.6;
+      options.load.front().set.clear();
+      options.load.front().to = 0.6;
+      options.load.front().steps = 1;
+      options.relaxation.finish = finish;
+      floc::Run<2> run(options);
+      while (!run.finished()) {
+        const RunEvent event = run.advance();
+        ASSERT_NE(event, RunEvent::gave_up) << run.report().blocking;
+        const State<2> state = run.state();
+        expect_measured(state);
+        if (event == RunEvent::equilibrium) {
+          EXPECT_EQ(state.n_negative, stability(state.packing).n_negative);
+          run.saved("");
+          continue;
+        }
+        EXPECT_EQ(state.n_negative, -1);
+        State<2> released = run.release_state();
+        expect_measured(released);
+        run.restore_packing(std::move(released.packing));
       }
-      EXPECT_EQ(state.n_negative, -1);
-      State<2> released = run.release_state();
-      expect_measured(released);
-      run.restore_packing(std::move(released.packing));
     }
-  }
 }
 
 /// Returns the root mean square speed at the start of a run. The run starts from a saved packing of disks. The largest

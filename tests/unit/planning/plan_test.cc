@@ -335,6 +335,27 @@ TEST(PriceModelOfAScene, CostsAsMuchAsItsSofteningSays) {
   EXPECT_NEAR(seconds(soft_prices(), {"equilibrium.softening=3.1622776601683795"}), std::sqrt(2.0), 1e-9);
 }
 
+TEST(PriceModelOfAScene, CostsAsMuchAsItsMassesSay) {
+  const auto seconds = [](const std::optional<PriceTable>& table, const std::string& masses) {
+    const Scene here = scene(
+        {"grains.diameter={distribution=\"uniform\", min=0.25, max=1.0}", "equilibrium.masses=" + masses});
+    const PriceModel model(here, table);
+    return model.core_seconds(model.settings_of_scene(), 100);
+  };
+  // If the table has no row for masses, 0.7 of the time is proportional to the root of the smallest mass.
+  EXPECT_NEAR(seconds(prices(), "equal") / seconds(prices(), "own"), 0.3 + 0.7 * 0.25, 1e-9);
+  PriceTable table = prices();
+  for (const char* name : {"phi", "B"}) {
+    PriceRow row = *table.find("scene", "as it is", name);
+    row.parameter = "masses";
+    row.value = "equal";
+    row.settings.equal_masses = true;
+    row.core_seconds *= 0.4;
+    table.rows.push_back(row);
+  }
+  EXPECT_NEAR(seconds(table, "equal") / seconds(table, "own"), 0.4, 1e-9);
+}
+
 /// The errors of z_plus and z_minus in tables are relative to their sum. Those of plans are relative to their means, as
 /// the scatter between samples is.
 TEST(PriceModelOfAScene, ErrorsOfCoordinationNumbersAreRelativeToTheirMeans) {
@@ -389,6 +410,19 @@ TEST(ChangesOfAScene, GiveItTheSofteningOfThePlan) {
   const Scene oedometer = read_scene(test::source_directory() + "/data/scenes/oedometer.toml", {});
   const std::vector<std::string> changes = softened(oedometer, {2.0, 2.0});
   EXPECT_NO_THROW((void)read_scene(test::source_directory() + "/data/scenes/oedometer.toml", changes));
+}
+
+TEST(ChangesOfAScene, GiveItTheMassesOfThePlan) {
+  const auto changes = [](const Scene& from, bool equal) {
+    PricedSettings settings;
+    settings.parameter = "masses";
+    settings.settings = settings_of(from);
+    settings.settings.equal_masses = equal;
+    return changes_of(settings, from);
+  };
+  EXPECT_THAT(changes(scene(), true), testing::Contains("equilibrium.masses=equal"));
+  EXPECT_THAT(changes(scene(), false), testing::Each(Not(HasSubstr("masses"))));
+  EXPECT_THAT(changes(scene({"equilibrium.masses=equal"}), false), testing::Contains("equilibrium.masses=own"));
 }
 
 TEST(PriceModelOfAScene, KeepsTheNumberOfListedGrains) {

@@ -118,6 +118,18 @@ TEST(Accuracy, SoftSpringsAreNoChoiceAndTheirErrorIsAllThatTheSamplesDoNotExclud
   EXPECT_DOUBLE_EQ(settings_error(prices[2], "phi"), 2e-6);
 }
 
+TEST(Accuracy, EqualMassesAreNoChoiceAndTheirErrorIsAllThatTheSamplesDoNotExclude) {
+  const PriceTable table = shipped_like(kHeader.substr(0, kHeader.size() - 1) + ",masses\n" +
+                                        "strict,all,phi,0,0,0,0,1,1e-8,0.1,auto,2,1e5,own\n"
+                                        "scene,as it is,phi,2e-6,,0.001,0.02,0.3,1e-5,0.28,auto,1,1e5,own\n"
+                                        "masses,equal,phi,,,0.003,0.004,0.1,1e-5,0.28,auto,1,1e5,equal\n");
+  EXPECT_EQ(choose_accuracy(table, {{"phi", 0.1}}).name, "scene as it is");
+  const std::vector<PricedSettings> prices = settable_prices(table);
+  ASSERT_EQ(prices.size(), 3u);
+  EXPECT_TRUE(prices[0].settings.equal_masses);
+  EXPECT_DOUBLE_EQ(settings_error(prices[0], "phi"), 0.005);
+}
+
 TEST(Accuracy, AllThatIsAskedForHasToHold) {
   EXPECT_EQ(choice({{"phi", 1e-2}, {"moduli", 6e-3}}).name, "scene as it is");
   const AccuracyChoice none = choice({{"phi", 1e-2}, {"moduli", 4.9e-3}});
@@ -302,7 +314,10 @@ TEST(PriceTable, RefusesNegativeErrorsAndTablesWithoutTheColumnOfAKnob) {
     }
   EXPECT_THAT(refusal(kHeader + "strict,all,phi,-1,0,0,0,1,1e-8,0.1,auto,2,1e5\n"),
               HasSubstr("the value of column error_before_high is -1: expected a number >= 0"));
-  for (const std::string knob : {"softening", "assembly_softening"})
+  EXPECT_THAT(refusal(kHeader.substr(0, kHeader.size() - 1) + ",masses\n" +
+                      "strict,all,phi,0,0,0,0,1,1e-8,0.1,auto,2,1e5,heavy\n"),
+              HasSubstr("prices.csv:2: the value of column masses is heavy: expected own or equal"));
+  for (const std::string knob : {"softening", "assembly_softening", "masses"})
     EXPECT_THAT(refusal(kTable + knob + ",10,phi,0,0,0,0,1,1e-8,0.1,auto,2,1e5\n"),
                 HasSubstr("this row is of the knob " + knob + ", but the column " + knob + " is missing"));
 }

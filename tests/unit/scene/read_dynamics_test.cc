@@ -176,6 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadKey{"equilibrium.finish=auto",
                "equilibrium.finish is not allowed with rigid contacts: dynamics.finish chooses among the "
                "possible forces of rigid grains at rest"},
+        BadKey{"equilibrium.masses=own", "equilibrium.masses is not allowed with rigid contacts"},
         BadKey{"equilibrium.patience=2", "equilibrium.patience is not allowed with rigid contacts"},
         BadKey{"accuracy.phi=0.1", "[accuracy] is not allowed with rigid contacts"},
         BadKey{"assembly.vibration={dilation=1.1, collisions=10}",

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "floc/base/error.h"
+#include "floc/scene/check_masses.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_kind.h"
 #include "floc/scene/scene_softening.h"
@@ -125,6 +126,8 @@ TEST_P(EveryKind, SettingsAreThoseOfItsDynamics) {
   EXPECT_EQ(parameters.contains("moduli"), !scene.law.is_rigid());
   EXPECT_EQ(parameters.contains("strain_rate_cap"), !scene.assembly.box.has_value());
   EXPECT_EQ(parameters.contains("softening"), largest_softening(scene).load >= 3.0);
+  const bool has_sizes = scene.grains.smallest() < scene.grains.largest();
+  EXPECT_EQ(parameters.contains("masses"), has_sizes && equal_masses_fault(scene).empty());
 }
 
 TEST_P(EveryKind, EachSettingChangesItsOptionsAlone) {

@@ -607,6 +607,25 @@ class Test:
                 name = "B_" + pressure
                 change(B, factors, name, what + ", change of B", 100.0 / statistics.mean(values(strict_ones, name)))
 
+    def fast_beads(self):
+        points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/softening/beads.csv"))))
+
+        def values(settings, count, name):
+            return [float(r[name]) for r in points if r["settings"] == settings and r["n_grains"] == count]
+
+        for count, at, samples, plain, fast, *changes in self.claim_table("| beads | at | samples |"):
+            what = f"{count} beads at {at}"
+            self.number(samples, len(values("fast", count, "seed")), what + ", samples")
+            self.mean_and_scatter(plain, values("as_it_is", count, "Phi_" + at), what + ", as they are")
+            self.mean_and_scatter(fast, values("fast", count, "Phi_" + at), what + ", fast")
+            for name, shown in zip(("Phi", "z", "B"), changes, strict=True):
+                base, other = values("as_it_is", count, f"{name}_{at}"), values("fast", count, f"{name}_{at}")
+                scale = 100.0 / statistics.mean(base) if name == "B" else 1.0
+                mean, deviation = shown.split(" +- ")
+                self.number(mean, scale * (statistics.mean(other) - statistics.mean(base)), f"{what}, change of {name}")
+                error = 2 * (statistics.variance(base) / len(base) + statistics.variance(other) / len(other)) ** 0.5
+                self.number(deviation, scale * error, f"{what}, two standard errors of the change of {name}")
+
     def compaction(self):
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/points.csv"))))
         for cells in self.claim_table("| eta* | spheres | e | published law |"):
@@ -1075,7 +1094,7 @@ class Test:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
                               self.preconsolidation, self.measured_tables, self.conversions, self.python, self.python_package, self.spheres,
-                              self.spheres_of_lammps, self.quasistatic, self.rigid, self.softening, self.compaction, self.compaction_variants,
+                              self.spheres_of_lammps, self.quasistatic, self.rigid, self.softening, self.fast_beads, self.compaction, self.compaction_variants,
                               self.compaction_moduli, self.lambda_of_ensembles, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.compression_laws,
                               self.lattice, self.tradeoff, self.names_of_tradeoff, self.settings_that_matter, self.kinds_of_shapes, self.shapes_of_states):
                     try:

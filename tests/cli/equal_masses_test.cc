@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <ostream>
+#include <string>
+
 #include "support/kill_and_resume.h"
 #include "support/places.h"
 #include "support/threaded_run.h"
@@ -28,6 +31,10 @@ struct KindOfScene {
   const char* scene;
   std::string changes;
 };
+
+void PrintTo(const KindOfScene& kind, std::ostream* out) {
+  *out << kind.scene;
+}
 
 class EqualMassesOfAKind : public testing::TestWithParam<KindOfScene> {};
 

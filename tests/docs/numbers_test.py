@@ -579,6 +579,13 @@ class Test:
                 for text, column in zip(shown.split(" with "), ("pairs_" + kind, "force_" + kind), strict=True):
                     self.number(text, 100.0 * statistics.mean(float(r[column]) for r in points if r["case"] == case), f"{case}, {column}")
 
+    def change_of_means(self, shown, base, other, what, scale):
+        """Compares "change +- two standard errors" of a mean with two lists of values, both in units of 1/scale."""
+        mean, deviation = shown.split(" +- ")
+        self.number(mean, scale * (statistics.mean(other) - statistics.mean(base)), what)
+        error = 2 * (statistics.variance(base) / len(base) + statistics.variance(other) / len(other)) ** 0.5
+        self.number(deviation, scale * error, what + ", two standard errors")
+
     def softening(self):
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/softening/points.csv"))))
 
@@ -589,11 +596,7 @@ class Test:
         strict_ones = ("1-1-1-1-1", "1", "own")
 
         def change(shown, factors, name, what, scale=1.0):
-            base, other = values(strict_ones, name), values(factors, name)
-            error = 2 * (statistics.variance(base) / len(base) + statistics.variance(other) / len(other)) ** 0.5
-            mean, deviation = shown.split(" +- ")
-            self.number(mean, scale * (statistics.mean(other) - statistics.mean(base)), what)
-            self.number(deviation, scale * error, what + ", two standard errors")
+            self.change_of_means(shown, values(strict_ones, name), values(factors, name), what, scale)
 
         for softening, patience, masses, pressure, samples, strict, soft, phi, z, B in self.claim_table("| softening | patience | masses | P* |"):
             factors = (softening, patience, masses)
@@ -621,10 +624,7 @@ class Test:
             for name, shown in zip(("Phi", "z", "B"), changes, strict=True):
                 base, other = values("as_it_is", count, f"{name}_{at}"), values("fast", count, f"{name}_{at}")
                 scale = 100.0 / statistics.mean(base) if name == "B" else 1.0
-                mean, deviation = shown.split(" +- ")
-                self.number(mean, scale * (statistics.mean(other) - statistics.mean(base)), f"{what}, change of {name}")
-                error = 2 * (statistics.variance(base) / len(base) + statistics.variance(other) / len(other)) ** 0.5
-                self.number(deviation, scale * error, f"{what}, two standard errors of the change of {name}")
+                self.change_of_means(shown, base, other, f"{what}, change of {name}", scale)
 
     def compaction(self):
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/points.csv"))))

@@ -5,6 +5,7 @@
 
 #include "floc/run_directory/drive.h"
 #include "floc/scene/read_scene.h"
+#include "support/kill_and_resume.h"
 
 namespace floc::test {
 
@@ -27,6 +28,15 @@ inline bool run_with_threads(const std::string& scene_file, const std::string& d
   const Scene scene = read_scene(scene_file);
   return scene.dimension == 3 ? run_with_threads<3>(scene, directory, threads, until)
                               : run_with_threads<2>(scene, directory, threads, until);
+}
+
+/// Runs a scene of nine equilibria, like small_scene(), with one thread and with three, and expects equal results.
+inline void expect_no_trace_of_threads(const std::string& scene) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("scene.toml"), scene);
+  ASSERT_TRUE(run_with_threads(scratch.file("scene.toml"), scratch.file("one"), 1));
+  ASSERT_TRUE(run_with_threads(scratch.file("scene.toml"), scratch.file("three"), 3));
+  expect_same_results(scratch.file("one"), scratch.file("three"));
 }
 
 }  // namespace floc::test

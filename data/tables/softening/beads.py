@@ -12,8 +12,8 @@ import csv
 import glob
 import os
 import re
-import subprocess
-import sys
+
+from study import moduli, path_of, run
 
 SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scenes", "spheres_a.toml")
 FAST = ["assembly.softening=300", "equilibrium.patience=0.1", "load.0.cell_mass=0.03", "load.1.cell_mass=0.03"]
@@ -21,23 +21,12 @@ STATES = {"10kPa": 0, "100MPa": 8, "back": 16}  # number of the state at each pr
 COLUMNS = ["settings", "seed", "n_grains", *[f"{q}_{p}" for p in STATES for q in ("Phi", "z", "B")], "steps_first", "steps"]
 
 
-def run(floc, directory, seed, count, changes):
-    command = [floc, "run", SCENE, "-o", directory, "--threads", "1", "--resume", "--seed", str(seed), "--set", f"grains.count={count}"]
-    for change in changes:
-        command += ["--set", change]
-    if subprocess.run(command, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL).returncode != 0:
-        sys.exit("failed: " + " ".join(command))
-
-
 def row(floc, directory):
     settings, seed = re.search(r"([^/]+)/seed-(\d+)$", directory).groups()
-    with open(os.path.join(directory, "path.csv")) as file:
-        path = {int(line["step"]): line for line in csv.DictReader(file)}
-    states = [os.path.join(directory, f"state-{k:04}.h5") for k in STATES.values()]
-    table = subprocess.run([floc, "moduli", *states, "--format", "csv"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True, text=True)
-    moduli = list(csv.DictReader(table.stdout.splitlines()))
-    values = [x for k, m in zip(STATES.values(), moduli, strict=True) for x in (path[k]["phi"], path[k]["z"], m["B"])]
-    return [settings, seed, moduli[0]["n_grains"], *values, path[0]["n_steps"], path[max(STATES.values())]["n_steps"]]
+    path = path_of(directory)
+    rows = moduli(floc, directory, STATES.values())
+    values = [x for k, m in zip(STATES.values(), rows, strict=True) for x in (path[k]["phi"], path[k]["z"], m["B"])]
+    return [settings, seed, rows[0]["n_grains"], *values, path[0]["n_steps"], path[max(STATES.values())]["n_steps"]]
 
 
 def main():
@@ -51,7 +40,8 @@ def main():
     first, _, last = options.seeds.partition("..")
     for seed in range(int(first), int(last or first) + 1):
         for settings, changes in {"as_it_is": [], "fast": FAST}.items():
-            run(floc, os.path.join(options.directory, settings, f"seed-{seed}"), seed, options.count, changes)
+            words = [word for change in [f"grains.count={options.count}", *changes] for word in ("--set", change)]
+            run(floc, SCENE, os.path.join(options.directory, settings, f"seed-{seed}"), "--seed", str(seed), *words)
     rows = [row(floc, directory) for directory in glob.glob(os.path.join(options.directory, "*", "seed-*"))]
     with open(os.path.join(options.directory, "beads.csv"), "w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")

@@ -24,24 +24,31 @@ COLUMNS = (PARTS + ["patience", "seed"] + ["Phi_" + p for p in STEPS] + ["z_" + 
            ["B_1", "B_13.33", "million_steps", "masses"])
 
 
-def run(floc, directory, *arguments):
-    command = [floc, "run", SCENE, "-o", directory, "--threads", "1", "--resume", *arguments]
+def run(floc, scene, directory, *arguments):
+    command = [floc, "run", scene, "-o", directory, "--threads", "1", "--resume", *arguments]
     if subprocess.run(command, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL).returncode != 0:
         sys.exit("failed: " + " ".join(command))
 
 
-def bulk_moduli(floc, directory):
-    states = [os.path.join(directory, f"state-{STEPS[p]:04}.h5") for p in ("1", "13.33")]
+def path_of(directory):
+    """Rows of path.csv by the number of the state."""
+    with open(os.path.join(directory, "path.csv")) as file:
+        return {int(row["step"]): row for row in csv.DictReader(file)}
+
+
+def moduli(floc, directory, numbers):
+    """Rows of floc moduli of some states of a run."""
+    states = [os.path.join(directory, f"state-{k:04}.h5") for k in numbers]
     table = subprocess.run([floc, "moduli", *states, "--format", "csv"], stdout=subprocess.PIPE, check=True, text=True).stdout
-    return [row["B"] for row in csv.DictReader(table.splitlines())]
+    return list(csv.DictReader(table.splitlines()))
 
 
 def point(floc, directory):
     factors, patience, masses, seed = re.search(r"soft-([^/]+)/patience-([^/]+)/masses-([^/]+)/seed-(\d+)$", directory).groups()
-    with open(os.path.join(directory, "path.csv")) as file:
-        rows = {int(row["step"]): row for row in csv.DictReader(file)}
+    rows = path_of(directory)
     ends = [rows[step] for step in STEPS.values()]
-    return (factors.split("-") + [patience, seed] + [row["phi"] for row in ends] + [row["z"] for row in ends] + bulk_moduli(floc, directory) +
+    bulk = [row["B"] for row in moduli(floc, directory, [STEPS["1"], STEPS["13.33"]])]
+    return (factors.split("-") + [patience, seed] + [row["phi"] for row in ends] + [row["z"] for row in ends] + bulk +
             [f"{int(ends[-1]['n_steps']) / 1e6:g}", masses])
 
 
@@ -62,7 +69,7 @@ def main():
             changes = [f"{key}={factor}" for key, factor in zip(KEYS, factors.split("-"), strict=True)]
             changes += [f"equilibrium.patience={options.patience}", f"equilibrium.masses={options.masses}", f"grains.count={options.count}"]
             place = os.path.join(options.directory, f"soft-{factors}", f"patience-{options.patience}", f"masses-{options.masses}", f"seed-{seed}")
-            run(floc, place, "--seed", str(seed), *[word for change in changes for word in ("--set", change)])
+            run(floc, SCENE, place, "--seed", str(seed), *[word for change in changes for word in ("--set", change)])
     points = [point(floc, d) for d in glob.glob(os.path.join(options.directory, "soft-*", "patience-*", "masses-*", "seed-*"))]
     with open(os.path.join(options.directory, "points.csv"), "w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")

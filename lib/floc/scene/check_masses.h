@@ -1,17 +1,16 @@
 #pragma once
 
-#include <string>
-
 #include "floc/scene/scene.h"
 #include "floc/scene/table_reader.h"
 
 namespace floc {
 
-/// Returns the reason why the grains of a run cannot move with equal masses; empty if they can. They cannot if the
-/// equilibrium depends on the masses or if contact dynamics moves the grains.
-std::string equal_masses_fault(const RunOptions& run);
+/// Returns whether the grains of a run can move with equal masses. They cannot under gravity, where the equilibrium
+/// depends on the masses, or if contact dynamics moves them.
+bool allows_equal_masses(const RunOptions& run);
 
-/// Records a fault if the scene gives its grains equal masses (equilibrium.masses) where this is not possible.
+/// Records a fault if the scene gives its grains equal masses (equilibrium.masses) although it has gravity. For contact
+/// dynamics, check_rigid() records the fault.
 /// @param root  reader of the root table of the scene
 void check_masses(TableReader& root, const Scene& scene);
 

@@ -156,13 +156,13 @@ double CostModel::memory_mb(double n_grains) const {
 /// Returns the processor time of a run with softer springs, divided by the time without softening. The ratio is
 /// interpolated between the rows of softening in the table, separately for the assembly and for the load path. The
 /// assembly takes a fixed share of the time.
-double CostModel::time_with_softening(const Softening& softening) const {
+/// @param plain  settings of the scene of the table
+double CostModel::time_with_softening(const PricedSettings& plain, const Softening& softening) const {
   std::vector<std::pair<double, double>> measured = {{0.0, 0.0}};
-  const auto scene_row = std::ranges::find(settings_, "scene", &PricedSettings::parameter);
   for (const PricedSettings& row : settings_)
-    if (row.parameter == "softening" && scene_row != settings_.end())
+    if (row.parameter == "softening")
       measured.emplace_back(std::log(row.settings.softening.load),
-                            std::log(row.core_seconds / scene_row->core_seconds));
+                            std::log(row.core_seconds / plain.core_seconds));
   std::ranges::sort(measured);
   const auto time = [&](double factor) {
     if (measured.size() > 1) return std::exp(interpolated(measured, std::log(factor)));
@@ -173,11 +173,10 @@ double CostModel::time_with_softening(const Softening& softening) const {
 
 /// Returns the processor time of a run in which grains move with equal masses, divided by the time with their own
 /// masses. The time step is proportional to the root of the smallest mass.
-double CostModel::time_with_equal_masses() const {
-  const auto scene_row = std::ranges::find(settings_, "scene", &PricedSettings::parameter);
+/// @param plain  settings of the scene of the table
+double CostModel::time_with_equal_masses(const PricedSettings& plain) const {
   const auto row = std::ranges::find(settings_, "masses", &PricedSettings::parameter);
-  if (row != settings_.end() && scene_row != settings_.end() && !scene_row->settings.equal_masses)
-    return row->core_seconds / scene_row->core_seconds;
+  if (row != settings_.end() && !plain.settings.equal_masses) return row->core_seconds / plain.core_seconds;
   const double ratio = scene_.grains.smallest() / scene_.grains.largest();
   return 1.0 - kShareOfSoft + kShareOfSoft * std::pow(ratio, 0.5 * scene_.dimension);
 }
@@ -213,16 +212,19 @@ PricedSettings CostModel::settings_of_rigid_grains(PricedSettings plain) const {
 }
 
 PricedSettings CostModel::settings_of_scene() const {
-  PricedSettings plain = *std::ranges::find(settings_, "scene", &PricedSettings::parameter);
-  if (scene_.law.is_rigid()) return settings_of_rigid_grains(std::move(plain));
+  const PricedSettings& plain = *std::ranges::find(settings_, "scene", &PricedSettings::parameter);
+  if (scene_.law.is_rigid()) return settings_of_rigid_grains(plain);
   const NumericalSettings own = settings_of(scene_);
   for (const PricedSettings& settings : settings_)
     if (!settings.is_reference() && settings.settings == own) return settings;
-  plain.core_seconds *= plain.settings.time_step / own.time_step;
-  plain.core_seconds *= time_with_softening(own.softening) / time_with_softening(plain.settings.softening);
+  PricedSettings converted = plain;
+  converted.core_seconds *= plain.settings.time_step / own.time_step;
+  converted.core_seconds *=
+      time_with_softening(plain, own.softening) / time_with_softening(plain, plain.settings.softening);
   if (own.equal_masses != plain.settings.equal_masses)
-    plain.core_seconds *= own.equal_masses ? time_with_equal_masses() : 1.0 / time_with_equal_masses();
-  return plain;
+    converted.core_seconds *=
+        own.equal_masses ? time_with_equal_masses(plain) : 1.0 / time_with_equal_masses(plain);
+  return converted;
 }
 
 RunCost cost_of_run(const Scene& scene, const std::string& prices) {

@@ -45,8 +45,8 @@ class CostModel {
   PricedSettings settings_of_scene() const;
 
  private:
-  double time_with_softening(const Softening& softening) const;
-  double time_with_equal_masses() const;
+  double time_with_softening(const PricedSettings& plain, const Softening& softening) const;
+  double time_with_equal_masses(const PricedSettings& plain) const;
   PricedSettings settings_of_rigid_grains(PricedSettings plain) const;
   double time_ratio(const PricedSettings& plain, const std::string& parameter, double value,
                     std::optional<double> value_of_table) const;

@@ -253,7 +253,8 @@ void read_equilibrium(TableReader& root, Scene& scene) {
                Need::optional)
           .value_or(relaxation.patience);
   relaxation.finish = kFinishes[finish.value_or(0)];
-  relaxation.equal_masses = t.choice("masses", {"own", "equal"}, Need::optional).value_or(0) == 1;
+  relaxation.equal_masses =
+      t.choice("masses", {masses_name(false), masses_name(true)}, Need::optional).value_or(0) == 1;
   relaxation.softening = t.number("softening", kSoftening, Need::optional).value_or(relaxation.softening);
   t.refuse_other_keys();
 }

@@ -48,6 +48,11 @@ bool applies_to_walls(const Scene& scene) {
   return scene.assembly.box.has_value();
 }
 
+/// Whether the grains have several masses and could move with equal ones.
+bool applies_to_several_masses(const Scene& scene) {
+  return allows_equal_masses(scene) && scene.grains.smallest() < scene.grains.largest();
+}
+
 bool applies_to_decades(const Scene& scene) {
   return std::any_of(scene.load.begin(), scene.load.end(),
                      [](const LoadStage& stage) { return stage.steps_per_decade.has_value(); });
@@ -191,9 +196,7 @@ void add_assembly_softening(const Scene& scene, const StudiedSetting& base, Sett
           list);
 }
 
-/// Adds the setting in which grains of several sizes move with equal masses, if the scene allows it.
-void add_masses(const Scene& scene, const StudiedSetting& base, Settings& list) {
-  if (!equal_masses_fault(scene).empty() || !(scene.grains.smallest() < scene.grains.largest())) return;
+void add_masses(const Scene&, const StudiedSetting& base, Settings& list) {
   add(
       base, "masses", masses_name(true), [](StudiedSetting& s) { s.numerical.equal_masses = true; }, list);
 }
@@ -327,7 +330,7 @@ const std::vector<DeclaredSetting>& declared_settings() {
       {"patience", applies_to_elastic, add_patience},
       {"softening", applies_to_newton, add_softening},
       {"assembly_softening", applies_to_newton, add_assembly_softening},
-      {"masses", applies_to_elastic, add_masses},
+      {"masses", applies_to_several_masses, add_masses},
       {"strain_rate_cap", applies_to_cells, add_rate_cap},
       {"cell_mass", applies_to_cells, add_cell_mass},
       {"count", has_any_number_of_grains, add_count},

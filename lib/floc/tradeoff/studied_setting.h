@@ -42,9 +42,9 @@ struct StudiedSetting {
   /// Whether the variant differs from the scene only in the method for the elastic moduli. Such a variant needs no run
   /// of its own: its moduli are computed for the states of the reference.
   bool is_moduli_level() const { return parameter == "moduli"; }
-  /// Whether the variant has another number of grains, other steps of the load path, softer springs or other
-  /// masses than the reference. If so, its states cannot be compared with single states of the reference, but only by means over all
-  /// states under equal loads.
+  /// Whether the variant has another number of grains, other steps of the load path, softer springs or other masses
+  /// than the reference. If so, its states cannot be compared with single states of the reference, but only by means
+  /// over all states under equal loads.
   bool has_other_states() const { return n_grains != 0 || steps_factor != 1.0 || numerical.changes_path(); }
 };
 

@@ -83,6 +83,15 @@ std::string promise_of(const Plan& plan, const std::vector<ObservablePrice>& obs
       string_literal(plan.settings.name()), string_literal(prices), plan.core_seconds, fmt::join(errors, ", "));
 }
 
+/// Adds to `changes` the changes that give all parts of a run the time step `time_step`: the tables of prices hold runs
+/// with one time step.
+void add_time_step(double time_step, const Scene& scene, std::vector<std::string>& changes) {
+  changes.push_back(fmt::format("run.time_step={:g}", time_step));
+  if (scene.assembly.cell.time_step) changes.push_back(fmt::format("assembly.time_step={:g}", time_step));
+  for (std::size_t k = 0; k < scene.load.size(); ++k)
+    if (scene.load[k].cell.time_step) changes.push_back(fmt::format("load.{}.time_step={:g}", k, time_step));
+}
+
 /// Adds to `changes` the changes that give a scene the softening `softening`, unless the scene already has this
 /// softening.
 void add_softening(const Softening& softening, const Scene& scene, std::vector<std::string>& changes) {
@@ -121,7 +130,7 @@ std::vector<std::string> changes_of(const PricedSettings& chosen, const Scene& s
   changes.push_back(fmt::format("equilibrium.energy={:g}", s.energy()));
   changes.push_back(fmt::format("equilibrium.patience={:g}", s.patience));
   if (!scene.assembly.box) changes.push_back(fmt::format("equilibrium.finish={}", finish_name(s.finish)));
-  changes.push_back(fmt::format("run.time_step={:g}", s.time_step));
+  add_time_step(s.time_step, scene, changes);
   if (s.equal_masses != scene.relaxation.equal_masses)
     changes.push_back(fmt::format("equilibrium.masses={}", masses_name(s.equal_masses)));
   add_softening(s.softening, scene, changes);

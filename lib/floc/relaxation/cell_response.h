@@ -17,6 +17,8 @@ struct CellResponse {
   std::optional<double> strain_rate_cap = {};
   /// Value that replaces RelaxationOptions::softening during this stage.
   std::optional<double> softening = {};
+  /// Value that replaces RelaxationOptions::time_step during this stage.
+  std::optional<double> time_step = {};
   /// Strain rate of a packing of rigid grains (ContactDynamicsOptions::inertial_number).
   std::optional<double> inertial_number = {};
 
@@ -33,6 +35,7 @@ struct CellResponse {
     if (!cell_mass) out.cell_mass = other.cell_mass;
     if (!wall_speed) out.wall_speed = other.wall_speed;
     if (!softening) out.softening = other.softening;
+    if (!time_step) out.time_step = other.time_step;
     if (!inertial_number) out.inertial_number = other.inertial_number;
     return out;
   }
@@ -45,6 +48,7 @@ struct CellResponse {
     if (cell_mass) options.cell_mass = *cell_mass;
     if (wall_speed) options.compaction.wall_speed = wall_speed;
     if (softening) options.softening = *softening;
+    if (time_step) options.time_step = *time_step;
     if (inertial_number) options.contact_dynamics.inertial_number = *inertial_number;
     return options;
   }

@@ -26,6 +26,12 @@ enum class Finish {
 /// times the tolerance, and only 6 contacts were added to 2200 in 400 time units.
 inline constexpr double kMechanismEnergy = 100.0;
 
+/// Upper limits of RelaxationOptions::time_step: of any grains, and of grains without friction and without resistance to
+/// rolling and twisting. The limit of the latter is that of a crystal without damping, which is 2/sqrt(6) = 0.816 in 2D
+/// and 0.913 in 3D; with damping the limit is smaller.
+inline constexpr double kStableStep = 0.4;
+inline constexpr double kStableStepWithoutFriction = 0.8;
+
 /// Numerical settings of a relaxation. Stresses, rates and masses are in the units of the scene (input file of the
 /// run), unless another unit is given.
 struct RelaxationOptions {

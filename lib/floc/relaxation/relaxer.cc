@@ -512,7 +512,7 @@ RelaxationReport Relaxer<Dim>::report() const {
   const bool by_force = !(residuals_.force < options_.tolerance.force);
   if (report.blocking.empty()) report.blocking = in_words(unmet_);
   if (report.blocking.empty()) report.blocking = "all residuals are within their tolerances";
-  if (ending_ == "diverged") report.blocking = "the motion diverged because run.time_step is too large";
+  if (ending_ == "diverged") report.blocking = kMotionDiverged;
   if (ending_ == "unloaded")
     report.blocking =
         "at the imposed lengths the packing carries no stress: every contact has opened (stress zero)";

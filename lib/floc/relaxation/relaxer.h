@@ -15,6 +15,11 @@
 
 namespace floc {
 
+/// Reason why a relaxation ended whose motion diverged.
+inline constexpr const char* kMotionDiverged =
+    "the motion diverged because the time step (run.time_step, or time_step of this part of the run) is too "
+    "large";
+
 /// Brings a periodic packing to equilibrium under a stress or a length imposed on each axis of its cell.
 /// RelaxationOptions::finish selects among these methods:
 /// 1. Newton steps alone, if the packing does not rearrange under the load.

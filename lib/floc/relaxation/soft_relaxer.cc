@@ -206,7 +206,7 @@ bool SoftRelaxer<Dim>::come_to_rest() {
   advance_observed(*dynamics, kStepsOfLevel, Motion::power_control, observer_, progress_.time, time_step);
   if (!dynamics->finite()) {
     report_.ending = "diverged";
-    report_.blocking = "the motion diverged because run.time_step is too large";
+    report_.blocking = kMotionDiverged;
     return false;
   }
   packing_ = {};

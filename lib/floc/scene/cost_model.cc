@@ -171,6 +171,20 @@ double CostModel::time_with_softening(const PricedSettings& plain, const Softeni
   return kShareOfAssembly * time(softening.assembly) + (1.0 - kShareOfAssembly) * time(softening.load);
 }
 
+/// Returns the processor time of a run, divided by the time if no part of the run had its own time step. The assembly
+/// takes a fixed share of the time, and the stages of the load path take equal parts of the rest.
+double CostModel::time_with_steps_of_parts() const {
+  const auto time = [&](const CellResponse& cell) {
+    return scene_.relaxation.time_step / cell.applied_to(scene_.relaxation).time_step;
+  };
+  const double assembly = time(scene_.assembly.cell);
+  if (scene_.load.empty()) return assembly;
+  double load = 0.0;
+  for (const LoadStage& stage : scene_.load) load += time(stage.cell);
+  return kShareOfAssembly * assembly +
+         (1.0 - kShareOfAssembly) * load / static_cast<double>(scene_.load.size());
+}
+
 /// Returns the processor time of a run in which grains move with equal masses, divided by the time with their own
 /// masses. The time step is proportional to the root of the smallest mass.
 /// @param plain  settings of the scene of the table
@@ -216,11 +230,16 @@ PricedSettings CostModel::settings_of_scene() const {
   if (scene_.law.is_rigid()) return settings_of_rigid_grains(plain);
   const NumericalSettings own = settings_of(scene_);
   for (const PricedSettings& settings : settings_)
-    if (!settings.is_reference() && settings.settings == own) return settings;
+    if (!settings.is_reference() && settings.settings == own) {
+      PricedSettings found = settings;
+      found.core_seconds *= time_with_steps_of_parts();
+      return found;
+    }
   PricedSettings converted = plain;
   converted.core_seconds *= plain.settings.time_step / own.time_step;
   converted.core_seconds *=
       time_with_softening(plain, own.softening) / time_with_softening(plain, plain.settings.softening);
+  converted.core_seconds *= time_with_steps_of_parts();
   if (own.equal_masses != plain.settings.equal_masses)
     converted.core_seconds *=
         own.equal_masses ? time_with_equal_masses(plain) : 1.0 / time_with_equal_masses(plain);

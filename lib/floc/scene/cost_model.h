@@ -45,6 +45,7 @@ class CostModel {
   PricedSettings settings_of_scene() const;
 
  private:
+  double time_with_steps_of_parts() const;
   double time_with_softening(const PricedSettings& plain, const Softening& softening) const;
   double time_with_equal_masses(const PricedSettings& plain) const;
   PricedSettings settings_of_rigid_grains(PricedSettings plain) const;

@@ -209,6 +209,9 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
   const auto add_part = [&](const CellResponse& cell, const std::string& where) {
     const RelaxationOptions here = cell.applied_to(scene.relaxation);
     add_cell(here, before, where, groups);
+    if (cell.time_step)
+      groups.push_back({"time_step", time_step_of_scene(scene) * here.time_step / scene.relaxation.time_step,
+                        "time step of the motion (time unit of the scene)" + where});
     before = here;
   };
   add_part(scene.assembly.cell, " at assembly");

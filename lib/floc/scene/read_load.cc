@@ -428,7 +428,7 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
 
 CellResponse read_cell_response(TableReader& t, bool boxed) {
   if (boxed) {
-    for (const char* key : {"inertial_number_cap", "strain_rate_cap", "cell_mass", "softening"})
+    for (const char* key : {"inertial_number_cap", "strain_rate_cap", "cell_mass", "softening", "time_step"})
       t.refuse(key,
                fmt::format("{} is not allowed here: a scene with a table [box] has walls and no periodic cell",
                            t.path_of(key)));
@@ -446,6 +446,7 @@ CellResponse read_cell_response(TableReader& t, bool boxed) {
   CellResponse response = read_rate_caps(t);
   response.cell_mass = t.number("cell_mass", kCellMass, Need::optional);
   response.softening = t.number("softening", kSoftening, Need::optional);
+  response.time_step = t.number("time_step", kTimeStepOfStage, Need::optional);
   return response;
 }
 

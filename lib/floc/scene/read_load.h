@@ -12,6 +12,10 @@ inline constexpr NumberRule kCellMass{
 inline constexpr NumberRule kSoftening{
     [](double x) { return x >= 1; },
     "a number >= 1 (factor by which the springs of contacts are softened while grains rearrange)"};
+inline constexpr NumberRule kTimeStepOfStage{
+    [](double x) { return x > 0 && x < kStableStepWithoutFriction; },
+    "a number in (0, 0.8) (time step in units of sqrt(m_min/K) with the smallest mass m_min and the contact "
+    "stiffness K; larger time steps are unstable)"};
 inline constexpr NumberRule kInertialNumberCap{
     positive,
     "a positive number (inertial number |L'/L| sqrt(m/P) of a side L of the cell; largest mass m, pressure P)"};

@@ -21,6 +21,7 @@
 #include "floc/scene/check_masses.h"
 #include "floc/scene/check_resolution.h"
 #include "floc/scene/check_softening.h"
+#include "floc/scene/check_time_steps.h"
 #include "floc/scene/read_accuracy.h"
 #include "floc/scene/read_box.h"
 #include "floc/scene/read_diameters.h"
@@ -42,12 +43,11 @@ constexpr bool is_gas_of_disks(double x) {
 constexpr bool is_gas_of_spheres(double x) {
   return x > 0 && x <= kDensestGasOfSpheres;
 }
-/// Whether a time step is stable: the explicit time integration is unstable for time steps of 0.4 sqrt(m_min/K_N) or
-/// more (see RelaxationOptions::time_step).
+/// Whether a time step is stable for any grains (see RelaxationOptions::time_step).
 /// @param x  time step in units of sqrt(m_min/K_N), with the mass m_min of the smallest grain and the normal stiffness
 /// K_N
 constexpr bool is_stable_step(double x) {
-  return x > 0 && x < 0.4;
+  return x > 0 && x < kStableStep;
 }
 
 void read_scene_table(TableReader& root, Scene& scene) {
@@ -414,6 +414,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   check_resolution(root, scene);
   check_softening(root, source, scene);
   check_masses(root, scene);
+  check_time_steps(root, source, scene);
   check_shapes(root, source, scene);
   root.refuse_other_keys();
   source.throw_faults();

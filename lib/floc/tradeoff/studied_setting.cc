@@ -416,9 +416,13 @@ RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::u
   options.relaxation.compaction = setting.compaction;
   options.relaxation.threads = 1;
   if (setting.n_grains > 0) options.grains.count = setting.n_grains;
+  // Where parts of the run have their own time steps, these become shorter together with that of the run.
+  const double shorter = std::min(1.0, options.relaxation.time_step / scene.relaxation.time_step);
+  if (options.assembly.cell.time_step) *options.assembly.cell.time_step *= shorter;
   for (LoadStage& stage : options.load) {
     stage.cell.cell_mass = setting.cell_mass_factor * stage.cell.applied_to(options.relaxation).cell_mass;
     scale_caps(setting.rate_cap_factor, stage.cell);
+    if (stage.cell.time_step) *stage.cell.time_step *= shorter;
     if (stage.steps_per_decade) *stage.steps_per_decade *= setting.steps_factor;
   }
   scale_caps(setting.rate_cap_factor, options.assembly.cell);

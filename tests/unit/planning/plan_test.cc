@@ -425,6 +425,21 @@ TEST(ChangesOfAScene, GiveItTheMassesOfThePlan) {
   EXPECT_THAT(changes(scene({"equilibrium.masses=equal"}), false), testing::Contains("equilibrium.masses=own"));
 }
 
+TEST(ChangesOfAScene, GiveAllItsPartsTheTimeStepOfThePlan) {
+  const auto changes = [](const Scene& from) {
+    PricedSettings settings;
+    settings.parameter = "time_step";
+    settings.settings = settings_of(from);
+    settings.settings.time_step = 0.2;
+    return changes_of(settings, from);
+  };
+  EXPECT_THAT(changes(scene()),
+              testing::AllOf(testing::Contains("run.time_step=0.2"),
+                             testing::Not(testing::Contains(HasSubstr("assembly.time_step")))));
+  EXPECT_THAT(changes(scene({"assembly.time_step=0.3", "load.1.time_step=0.1"})),
+              testing::IsSupersetOf({"run.time_step=0.2", "assembly.time_step=0.2", "load.1.time_step=0.2"}));
+}
+
 TEST(PriceModelOfAScene, KeepsTheNumberOfListedGrains) {
   const Scene listed =
       scene({"grains.count=3", "grains.diameter={distribution=\"list\", values=[0.5, 0.7, 1.0]}"});

@@ -71,6 +71,13 @@ TEST(CostOfARun, FollowsTheSettingsOfRigidGrains) {
               std::sqrt(row_seconds(table, "sweep_tolerance", "1e-04") / scene), 1e-9);
 }
 
+TEST(CostOfARun, FollowsTheTimeStepsOfParts) {
+  const double plain = cost_seconds("spheres_demo");
+  EXPECT_NEAR(cost_seconds("spheres_demo", {"assembly.time_step=0.72"}) / plain, 0.57 / 2.0 + 0.43, 1e-12);
+  EXPECT_NEAR(cost_seconds("spheres_demo", {"load.1.time_step=0.09"}) / plain, 0.57 + 0.43 * (1.0 + 4.0) / 2.0,
+              1e-12);
+}
+
 TEST(CostOfARun, FollowsTheSettingsThatAccuracyChooses) {
   const PriceTable table = *prices_of(priced_scene("demo"), "").table;
   const std::vector<std::string> wanted = {"accuracy.phi=0.001", "accuracy.moduli=0.05"};

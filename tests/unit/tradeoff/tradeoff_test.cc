@@ -58,6 +58,19 @@ TEST(Tradeoff, ComparesOnlySettingsThatLeaveThePhysicsAlone) {
   }
 }
 
+TEST(Tradeoff, ShortensTheTimeStepsOfPartsWithThatOfTheRun) {
+  const Scene scene = read_scene(test::source_directory() + "/data/scenes/spheres_demo.toml",
+                                 {"run.time_step=0.2", "assembly.time_step=0.7", "load.0.time_step=0.1"});
+  const auto steps = [&](double time_step) {
+    StudiedSetting setting;
+    setting.numerical.time_step = time_step;
+    const RunOptions options = run_options(scene, setting, 1);
+    return std::vector<double>{*options.assembly.cell.time_step, *options.load[0].cell.time_step};
+  };
+  EXPECT_THAT(steps(0.05), testing::ElementsAre(testing::DoubleEq(0.175), testing::DoubleEq(0.025)));
+  EXPECT_THAT(steps(0.36), testing::ElementsAre(0.7, 0.1)) << "longer steps of these parts may be unstable";
+}
+
 TEST(Tradeoff, ScalesTheCapsOfEveryPartAndTheMassOfTheLoadAlone) {
   const Scene scene =
       read_scene(test::source_directory() + "/data/scenes/type1_rolling_small.toml",

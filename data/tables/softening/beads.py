@@ -16,7 +16,8 @@ import re
 from study import moduli, path_of, run
 
 SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scenes", "spheres_a.toml")
-FAST = ["assembly.softening=300", "equilibrium.patience=0.1", "load.0.cell_mass=0.03", "load.1.cell_mass=0.03"]
+FAST = ["assembly.softening=100", "assembly.time_step=0.72", "contact.damping.critical_fraction=0.3", "equilibrium.patience=0.1",
+        "load.0.cell_mass=0.03", "load.1.cell_mass=0.03"]
 STATES = {"10kPa": 0, "100MPa": 8, "back": 16}  # number of the state at each pressure
 COLUMNS = ["settings", "seed", "n_grains", *[f"{q}_{p}" for p in STATES for q in ("Phi", "z", "B")], "steps_first", "steps"]
 

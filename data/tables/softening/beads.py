@@ -41,8 +41,7 @@ def main():
     first, _, last = options.seeds.partition("..")
     for seed in range(int(first), int(last or first) + 1):
         for settings, changes in {"as_it_is": [], "fast": FAST}.items():
-            words = [word for change in [f"grains.count={options.count}", *changes] for word in ("--set", change)]
-            run(floc, SCENE, os.path.join(options.directory, settings, f"seed-{seed}"), "--seed", str(seed), *words)
+            run(floc, SCENE, os.path.join(options.directory, settings, f"seed-{seed}"), seed, [f"grains.count={options.count}", *changes])
     rows = [row(floc, directory) for directory in glob.glob(os.path.join(options.directory, "*", "seed-*"))]
     with open(os.path.join(options.directory, "beads.csv"), "w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")

@@ -24,8 +24,10 @@ COLUMNS = (PARTS + ["patience", "seed"] + ["Phi_" + p for p in STEPS] + ["z_" + 
            ["B_1", "B_13.33", "million_steps", "masses"])
 
 
-def run(floc, scene, directory, *arguments):
-    command = [floc, "run", scene, "-o", directory, "--threads", "1", "--resume", *arguments]
+def run(floc, scene, directory, seed, changes):
+    command = [floc, "run", scene, "-o", directory, "--threads", "1", "--resume", "--seed", str(seed)]
+    for change in changes:
+        command += ["--set", change]
     if subprocess.run(command, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL).returncode != 0:
         sys.exit("failed: " + " ".join(command))
 
@@ -69,7 +71,7 @@ def main():
             changes = [f"{key}={factor}" for key, factor in zip(KEYS, factors.split("-"), strict=True)]
             changes += [f"equilibrium.patience={options.patience}", f"equilibrium.masses={options.masses}", f"grains.count={options.count}"]
             place = os.path.join(options.directory, f"soft-{factors}", f"patience-{options.patience}", f"masses-{options.masses}", f"seed-{seed}")
-            run(floc, SCENE, place, "--seed", str(seed), *[word for change in changes for word in ("--set", change)])
+            run(floc, SCENE, place, seed, changes)
     points = [point(floc, d) for d in glob.glob(os.path.join(options.directory, "soft-*", "patience-*", "masses-*", "seed-*"))]
     with open(os.path.join(options.directory, "points.csv"), "w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")

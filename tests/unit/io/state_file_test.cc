@@ -16,6 +16,7 @@
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/liquid/liquid.h"
 #include "support/contact_laws.h"
+#include "support/message_of.h"
 #include "support/scratch_directory.h"
 #include "support/sealed.h"
 #include "support/springs.h"
@@ -32,12 +33,7 @@ using testing::ThrowsMessage;
 
 /// Returns the message with which read_state() refuses a file, or "" if it accepts the file.
 std::string refusal(const std::string& path) {
-  try {
-    read_state(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of([&] { read_state(path); });
 }
 
 template <int Dim>

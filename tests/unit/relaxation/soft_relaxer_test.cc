@@ -6,7 +6,6 @@
 #include <map>
 #include <tuple>
 
-#include "floc/base/error.h"
 #include "floc/contact/softened_law.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/packing/balance.h"
@@ -14,6 +13,7 @@
 #include "floc/relaxation/softening.h"
 #include "support/contact_laws.h"
 #include "support/dynamics.h"
+#include "support/message_of.h"
 
 namespace floc {
 namespace {
@@ -229,12 +229,7 @@ TEST(SoftRelaxer, ContinuedFromItsProgressGivesTheSameBits) {
 
 TEST(SoftRelaxer, RefusesWhatCannotBeSoftened) {
   const auto words = [](double softening, const Packing<2>& packing, const LoadTarget<2>& load) {
-    try {
-      SoftRelaxer<2>(soft_options(softening), packing, load);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::message_of([&] { SoftRelaxer<2>(soft_options(softening), packing, load); });
   };
   const auto load = LoadTarget<2>::normal_stress(Vec<2>(0.1, 0.1));
   EXPECT_NE(words(11.0, disks(), load).find("expected at most 10"), std::string::npos);

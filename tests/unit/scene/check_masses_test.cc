@@ -8,6 +8,7 @@
 
 #include "floc/base/error.h"
 #include "floc/scene/read_scene.h"
+#include "support/message_of.h"
 #include "support/places.h"
 
 namespace floc {
@@ -23,12 +24,8 @@ std::filesystem::path scene_file(const std::string& name) {
 /// Returns the message with which a scene is refused if its grains get equal masses; empty if it is accepted.
 std::string refusal(const std::filesystem::path& file, std::vector<std::string> changes = {}) {
   changes.emplace_back("equilibrium.masses=equal");
-  try {
-    EXPECT_TRUE(read_scene(file.string(), changes).relaxation.equal_masses) << file;
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of(
+      [&] { EXPECT_TRUE(read_scene(file.string(), changes).relaxation.equal_masses) << file; });
 }
 
 TEST(CheckMasses, EveryShippedSceneHasEqualMassesOrSaysWhyNot) {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "floc/base/error.h"
 #include "floc/scene/read_scene.h"
+#include "support/message_of.h"
 
 namespace floc {
 namespace {
@@ -37,12 +37,7 @@ solid_fraction = 0.36
 constexpr const char* kDirect = "[assembly]\nprotocol = \"direct\"\npressure = 1.0\n";
 
 std::string softening_faults(const std::string& more, const std::vector<std::string>& overrides = {}) {
-  try {
-    (void)parse_scene(soft_scene(more), "s.toml", ".", overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of([&] { (void)parse_scene(soft_scene(more), "s.toml", ".", overrides); });
 }
 
 TEST(CheckSoftening, TheLargestSofteningIsNamed) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "floc/base/error.h"
 #include "floc/scene/read_scene.h"
+#include "support/message_of.h"
 #include "support/places.h"
 
 namespace floc {
@@ -24,12 +24,7 @@ std::string shipped_file(const std::string& name) {
 
 /// Returns the message with which a scene is refused after changes; empty if it is accepted.
 std::string refusal_of_step(const std::string& file, const std::vector<std::string>& changes) {
-  try {
-    (void)read_scene(file, changes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of([&] { (void)read_scene(file, changes); });
 }
 
 TEST(CheckTimeSteps, PartsOfEveryShippedSceneHaveTheirOwnStepOrAMessageSaysWhyNot) {

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "floc/assembly/box_options.h"
-#include "floc/base/error.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_warnings.h"
+#include "support/message_of.h"
 
 namespace floc {
 namespace {
@@ -59,12 +59,7 @@ Scene parsed(const std::string& text, const std::vector<std::string>& overrides 
 }
 
 std::string dynamics_faults(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  try {
-    parsed(text, overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of([&] { parsed(text, overrides); });
 }
 
 TEST(ReadDynamics, EveryKeyArrives) {

@@ -3,6 +3,7 @@
 
 #include "floc/base/error.h"
 #include "floc/scene/read_scene.h"
+#include "support/message_of.h"
 
 namespace floc {
 namespace {
@@ -26,12 +27,7 @@ std::vector<LoadStage> read(int dimension, const std::string& load) {
 }
 
 std::string faults(int dimension, const std::string& load) {
-  try {
-    read(dimension, load);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of([&] { read(dimension, load); });
 }
 
 constexpr AxisLoad kept{AxisLoad::kept_stress, 0.0};

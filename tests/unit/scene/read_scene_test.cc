@@ -9,6 +9,7 @@
 #include "floc/base/error.h"
 #include "floc/scene/cell_defaults.h"
 #include "support/contact_laws.h"
+#include "support/message_of.h"
 #include "support/places.h"
 #include "support/scratch_directory.h"
 
@@ -56,12 +57,7 @@ Scene read(const std::string& text, const std::vector<std::string>& overrides = 
 }
 
 std::string faults(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  try {
-    read(text, overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of([&] { read(text, overrides); });
 }
 
 TEST(ReadScene, EveryValueArrives) {

@@ -15,6 +15,7 @@
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_warnings.h"
+#include "support/message_of.h"
 #include "support/scratch_directory.h"
 
 namespace floc {
@@ -40,12 +41,8 @@ Scene shaped(const std::string& shape, int dimension, const std::string& directo
 
 std::string shape_faults(const std::string& shape, int dimension, const std::string& directory = ".",
                          const std::vector<std::string>& overrides = {}) {
-  try {
-    parse_scene(text_with_shape(shape, dimension), "s.toml", directory, overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of(
+      [&] { parse_scene(text_with_shape(shape, dimension), "s.toml", directory, overrides); });
 }
 
 template <class Kind>

@@ -9,6 +9,7 @@
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
 #include "support/dynamics.h"
+#include "support/message_of.h"
 #include "support/scratch_directory.h"
 
 namespace floc {
@@ -56,12 +57,7 @@ class SceneOfAState : public testing::Test {
     return parse_scene(text, "s.toml", scratch_.path(), overrides);
   }
   std::string faults(const std::vector<std::string>& overrides = {}) const {
-    try {
-      read(overrides);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::message_of([&] { read(overrides); });
   }
 
   State<2> saved_;

@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "floc/base/error.h"
 #include "floc/shape/voronoi_cells.h"
-#include "unit/shape/message_of.h"
+#include "support/message_of.h"
 #include "unit/shape/solids.h"
 
 namespace floc {

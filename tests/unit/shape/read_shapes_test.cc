@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "floc/base/error.h"
+#include "support/message_of.h"
 #include "support/scratch_directory.h"
 #include "unit/shape/solids.h"
 
@@ -96,14 +97,12 @@ Polytope<3> stone() {
   return convex_hull<3>(test::random_points<3>(random, 14)).polytope;
 }
 
-std::string message_of(const std::string& path, const std::string& text, const ShapeFileOptions& options = {}) {
-  try {
+std::string message_of_text(const std::string& path, const std::string& text,
+                            const ShapeFileOptions& options = {}) {
+  return test::message_of([&] {
     path.ends_with("2.csv") ? (void)parse_shapes<2>(path, text, options)
                             : (void)parse_shapes<3>(path, text, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  });
 }
 
 TEST(ShapeFiles, OfAllFormatsGiveTheShapeBack) {
@@ -137,7 +136,7 @@ TEST(ShapeFiles, MayHaveTheirCornersRounded) {
   const Polytope<3> given = stone();
   const Shape<3> shape = parse_shapes<3>("stone.off", off_text(given), {.rounding = 0.1})[0].shape;
   EXPECT_NEAR(shape.rounding, 0.1 * shape.diameter(), 1e-14);
-  EXPECT_THAT(message_of("stone.shp", shp_text(given), {.rounding = 0.1}),
+  EXPECT_THAT(message_of_text("stone.shp", shp_text(given), {.rounding = 0.1}),
               HasSubstr("the file already gives a radius of rounding"));
 }
 
@@ -176,23 +175,23 @@ TEST(ShapeFiles, OfManyVerticesAreTakenWithFewer) {
   std::vector<Vec<3>> points;
   for (int k = 0; k < 1000; ++k) points.push_back(test::random_direction<3>(random));
   const std::string text = off_text(convex_hull<3>(points).polytope);
-  EXPECT_THAT(message_of("scan.off", text),
+  EXPECT_THAT(message_of_text("scan.off", text),
               HasSubstr("the convex hull has 1000 vertices: expected at most 200"));
   const auto few = parse_shapes<3>("scan.off", text, {.vertices = 100})[0];
   EXPECT_EQ(few.shape.n_vertices(), 100);
   EXPECT_GT(few.shape.volume, 0.85 * 4.18);
   EXPECT_THAT(few.remarks[0], HasSubstr("100 of 1000 vertices of the convex hull are kept"));
-  EXPECT_THAT(message_of("scan.off", text, {.vertices = 3}),
+  EXPECT_THAT(message_of_text("scan.off", text, {.vertices = 3}),
               HasSubstr("vertices = 3: expected a whole number from 4"));
 }
 
 TEST(ShapeFiles, AreRefusedWithFileAndLine) {
   const std::string tetrahedron =
       "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-  EXPECT_EQ(message_of("t.off", tetrahedron), "no error");
+  EXPECT_EQ(message_of_text("t.off", tetrahedron), "");
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string text = tetrahedron;
-    return message_of("t.off", text.replace(text.find(from), from.size(), to));
+    return message_of_text("t.off", text.replace(text.find(from), from.size(), to));
   };
   EXPECT_EQ(changed("OFF", "COFF"), "t.off:1: the file begins with \"COFF\": expected OFF");
   EXPECT_EQ(changed("4 4 6", "4000000000 4 6"),
@@ -210,36 +209,36 @@ TEST(ShapeFiles, AreRefusedWithFileAndLine) {
   EXPECT_THAT(changed("3 1 2 3", "3 1 3 2"), HasSubstr("two faces have vertex 2 before vertex 4"));
   EXPECT_THAT(changed("3 1 2 3", "3 0 2 1"), HasSubstr("expected a closed surface"));
   EXPECT_THAT(changed("0 0 1\n", "0 1 0\n"), HasSubstr("in one plane"));
-  EXPECT_THAT(message_of("t.ply", ""),
+  EXPECT_THAT(message_of_text("t.ply", ""),
               HasSubstr("expected a name that ends in .off, .obj, .stl, .csv or .shp"));
-  EXPECT_THAT(message_of("t.obj", "v 0 0 0\nf 1 2 3\n"),
+  EXPECT_THAT(message_of_text("t.obj", "v 0 0 0\nf 1 2 3\n"),
               HasSubstr("t.obj:2: \"2\": expected the number of a vertex in a line above"));
-  EXPECT_THAT(message_of("t.obj", "w 0 0 0\n"),
+  EXPECT_THAT(message_of_text("t.obj", "w 0 0 0\n"),
               HasSubstr("t.obj:1: the line begins with \"w\": expected v (vertex) or f (face)"));
-  EXPECT_THAT(message_of("t.obj", ""), HasSubstr("t.obj: the file has no vertex"));
-  EXPECT_THAT(message_of("t.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
+  EXPECT_THAT(message_of_text("t.obj", ""), HasSubstr("t.obj: the file has no vertex"));
+  EXPECT_THAT(message_of_text("t.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
               HasSubstr("t.stl:4: the line has only 3 words"));
-  EXPECT_THAT(message_of("t.stl", "solid\nendsolid\n"),
+  EXPECT_THAT(message_of_text("t.stl", "solid\nendsolid\n"),
               HasSubstr("the file has no triangle: expected a surface made of triangles"));
   std::string cut = stl_bytes(stone());
   cut.resize(cut.size() - 1);
   cut[0] = 'b';
-  EXPECT_THAT(message_of("t.stl", cut),
+  EXPECT_THAT(message_of_text("t.stl", cut),
               testing::ContainsRegex("1?[0-9]+ bytes for [0-9]+ triangles: expected [0-9]+"));
   EXPECT_THAT(
-      message_of("t.csv", "x,y\n0,0\n"),
+      message_of_text("t.csv", "x,y\n0,0\n"),
       HasSubstr("t.csv:1: the first line is not a header: expected the names of the columns x, y and z"));
-  EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0,2\n"),
+  EXPECT_THAT(message_of_text("2.csv", "x,y\n0,0\n1,0,2\n"),
               HasSubstr("2.csv:3: the line has 3 words: expected 2 numbers"));
-  EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0\n0,1\n0,0\n"), HasSubstr("points 1 and 4 are equal"));
-  EXPECT_THAT(message_of("t.shp", "name x\n"),
+  EXPECT_THAT(message_of_text("2.csv", "x,y\n0,0\n1,0\n0,1\n0,0\n"), HasSubstr("points 1 and 4 are equal"));
+  EXPECT_THAT(message_of_text("t.shp", "name x\n"),
               HasSubstr("t.shp:1: the line begins with \"name\": expected \"<\""));
-  EXPECT_THAT(message_of("t.shp", "<\nnv 2\n0 0 0\n1 0 0\n"),
+  EXPECT_THAT(message_of_text("t.shp", "<\nnv 2\n0 0 0\n1 0 0\n"),
               HasSubstr("shape 1 \"\" has no vertices or no radius: expected a line nv N (number of vertices), "
                         "followed by N lines with coordinates, and a line radius R"));
-  EXPECT_THAT(message_of("t.shp", "<\nradius 0.01\nnv 2\n0 0 0\n1 0 0\n"),
+  EXPECT_THAT(message_of_text("t.shp", "<\nradius 0.01\nnv 2\n0 0 0\n1 0 0\n"),
               HasSubstr("51 times as long as it is thick"));
-  EXPECT_THAT(message_of("t.shp", "<\nradius 0.1\nnv 4\n0 0 0\n1 0 0\n0 1 0\n1 1 0\nnf 1\n4 0 1 3 2\n>\n"),
+  EXPECT_THAT(message_of_text("t.shp", "<\nradius 0.1\nnv 4\n0 0 0\n1 0 0\n0 1 0\n1 1 0\nnf 1\n4 0 1 3 2\n>\n"),
               HasSubstr("in one plane"));
 }
 
@@ -255,15 +254,16 @@ TEST(ShapeFiles, MayHaveLengthsFrom1eMinus50To1e50) {
   };
   expect_volume(1e49);
   expect_volume(1e-49);
-  EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0\n0,1e51\n"),
+  EXPECT_THAT(message_of_text("2.csv", "x,y\n0,0\n1,0\n0,1e51\n"),
               HasSubstr("2.csv: point 3: expected coordinates that are finite numbers from -1e+50 to 1e+50"));
-  EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1e-60,0\n0,2e-60\n"),
+  EXPECT_THAT(message_of_text("2.csv", "x,y\n0,0\n1e-60,0\n0,2e-60\n"),
               HasSubstr("2.csv: the largest extent of the points is 2e-60: expected at least 1e-50"));
   const std::string ball = "<\nname Ball\nradius RADIUS\nnv 1\n0 0 0\n>\n";
   for (const std::string radius : {"0", "-1", "1e-60", "1e+51"}) {
     std::string text = ball;
     text.replace(text.find("RADIUS"), 6, radius);
-    EXPECT_THAT(message_of("b.shp", text), testing::StartsWith("b.shp:3: the radius of the shape is " + radius))
+    EXPECT_THAT(message_of_text("b.shp", text),
+                testing::StartsWith("b.shp:3: the radius of the shape is " + radius))
         << radius;
   }
 }

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-#include "floc/base/error.h"
-#include "unit/shape/message_of.h"
+#include "support/message_of.h"
 #include "unit/shape/solids.h"
 
 namespace floc {

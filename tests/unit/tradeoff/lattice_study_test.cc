@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "floc/base/error.h"
 #include "floc/scene/read_scene.h"
+#include "support/message_of.h"
 #include "support/places.h"
 
 namespace floc {
@@ -42,12 +42,7 @@ TEST(LatticeStudy, NodesADiameterDecideAndTheToleranceDoesNot) {
 
 TEST(LatticeStudy, RefusesWhatItCannotCement) {
   const auto refusal = [](const Scene& scene, const LatticeStudyOptions& lattice) -> std::string {
-    try {
-      (void)study_lattice(scene, lattice, {});
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::message_of([&] { (void)study_lattice(scene, lattice, {}); });
   };
   EXPECT_THAT(refusal(few_disks(), {.matrix_content = 1.5}), HasSubstr("matrix content"));
   EXPECT_THAT(refusal(few_disks(), {.stiffness_ratio = 0.0}), HasSubstr("stiffness ratio"));

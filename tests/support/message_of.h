@@ -6,7 +6,7 @@
 
 namespace floc::test {
 
-/// Returns the message of the InputError that a call throws.
+/// Returns the message of the InputError that a call throws; empty if it throws none.
 template <class Call>
 std::string message_of(const Call& call) {
   try {
@@ -14,7 +14,7 @@ std::string message_of(const Call& call) {
   } catch (const InputError& error) {
     return error.what();
   }
-  return "no error";
+  return "";
 }
 
 }  // namespace floc::test

@@ -133,7 +133,7 @@ TEST_F(ForcesCommand, EndWithThreeWhereNoForcesBalanceTheLoad) {
   EXPECT_EQ(o.code, 3);
   EXPECT_THAT(o.err,
               HasSubstr("no set of contact forces balances the load: this is not an equilibrium of rigid "
-                        "grains; the load moves grain "));
+                        "grains; the load moves most grain"));
 }
 
 }  // namespace

@@ -20,6 +20,10 @@ TEST(RigidRun, KillsOfARunOfPentagonsLeaveNoTrace) {
   kill_and_resume(3, 22, rigid_scene(kPentagons), 4);
 }
 
+TEST(RigidRun, KillsOfATriaxialTestOfPolyhedraLeaveNoTrace) {
+  kill_and_resume(3, 26, rigid_scene(kCutStones, 3), 4);
+}
+
 TEST(RigidRun, KillsOfARunBetweenWallsLeaveNoTrace) {
   kill_and_resume(3, 23, rigid_box_scene(kPentagons), 2);
 }

@@ -209,13 +209,15 @@ def likeliest_alpha(x):
 
 def force_shape(forces, suffix):
     x = forces / forces.mean() if len(forces) else forces
-    above = x[x >= 1]
-    beta = 1 / (above - 1).mean() if len(above) >= 10 else None
+    tails = {}
+    for bound, name in ((1, "beta"), (2, "beta2")):
+        above = x[x >= bound]
+        beta = 1 / (above - bound).mean() if len(above) >= 10 else None
+        tails |= {f"{name}{suffix}": Close(beta), f"{name}{suffix}_error": Close(beta and beta / math.sqrt(len(above)))}
     alpha, error = likeliest_alpha(x)
     # Both programs maximise a function, which determines the position only to the square root of the rounding error.
-    return {f"below_mean{suffix}": Close((x < 1).mean() if len(x) else 0.0),
-            f"alpha{suffix}": Close(alpha, 1.0, 1e-6), f"alpha{suffix}_error": Close(error, 0.0, 1e-3),
-            f"beta{suffix}": Close(beta), f"beta{suffix}_error": Close(beta and beta / math.sqrt(len(above)))}
+    return tails | {f"below_mean{suffix}": Close((x < 1).mean() if len(x) else 0.0),
+                    f"alpha{suffix}": Close(alpha, 1.0, 1e-6), f"alpha{suffix}_error": Close(error, 0.0, 1e-3)}
 
 
 def anisotropy_columns(s, of):
@@ -314,7 +316,8 @@ def statistics_columns(s, kept):
     ratios = np.linalg.norm(s.shear[of], axis=1)[limit > 0] / limit[limit > 0]
     out["mobilisation"] = Close(ratios.mean() if len(ratios) else None)
     kinds = ("vertex_face", "edge_edge", "edge_face", "face_face")
-    names = ["below_mean_pairs", "alpha_pairs", "alpha_pairs_error", "beta_pairs", "beta_pairs_error", "z_pairs_star"]
+    names = ["below_mean_pairs", "alpha_pairs", "alpha_pairs_error", "beta_pairs", "beta_pairs_error", "beta2_pairs", "beta2_pairs_error",
+             "z_pairs_star"]
     if not s.shapes:
         return out | {name: Same(None) for name in [*names, *(f"{p}_{k}" for p in ("pairs", "force") for k in kinds)]}
     pairs = {}

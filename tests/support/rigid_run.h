@@ -17,20 +17,19 @@ inline const char* const kPentagons = R"(shape = {kind = "polygon", sides = 5})"
 inline const char* const kRoundedPentagons = R"(shape = {kind = "polygon", sides = 5, rounding = 0.05})";
 inline const char* const kCapsules = R"(shape = {kind = "capsule", aspect = 2})";
 
-/// Scene of 40 rigid grains that are compressed from a gas, loaded to twice the pressure and sheared: four
-/// states in a few seconds.
-/// @param shape  line of the scene with the shape of the grains; empty for disks
-inline std::string rigid_scene(const std::string& shape) {
+/// Scene of 40 rigid grains in 2D or 20 in 3D that are compressed from a gas, loaded to twice the pressure and sheared
+/// (in 3D triaxially): four states in a few seconds.
+/// @param shape  line of the scene with the shape of the grains; empty for disks and spheres
+inline std::string rigid_scene(const std::string& shape, int dimension = 2) {
+  const bool plane = dimension == 2;
   return R"([scene]
 name = "rigid"
-dimension = 2
 units = "reduced"
-[grains]
-count = 40
+dimension = )" +
+         std::string(plane ? "2" : "3") + "\n[grains]\ncount = " + (plane ? "40" : "20") + R"(
 diameter = {distribution = "uniform", min = 0.5, max = 1.0}
 )" + shape +
-         "\n" + kRigidContacts + R"([cell]
-solid_fraction = 0.25
+         "\n" + kRigidContacts + "[cell]\nsolid_fraction = " + (plane ? "0.25" : "0.1") + R"(
 inertial_number_cap = 0.02
 [assembly]
 protocol = "direct"
@@ -41,9 +40,10 @@ to = 2.0
 steps = 1
 [[load]]
 name = "shear"
-control = "simple_shear"
 strain = 0.06
 steps = 2
+control = ")" +
+         std::string(plane ? "simple_shear" : "triaxial") + R"("
 [dynamics]
 method = "contact_dynamics"
 [run]

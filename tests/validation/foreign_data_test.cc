@@ -1,15 +1,19 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <string>
 #include <utility>
 
+#include "floc/base/error.h"
 #include "floc/imports/complete_import.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/locate.h"
 #include "floc/packing/wall_forces.h"
+#include "floc/rigid/static_forces.h"
 #include "support/foreign_packing.h"
 
 /// Tests with files of other programs that are not part of the repository. The environment variable FLOC_FOREIGN_DATA
@@ -118,6 +122,31 @@ TEST_F(ForeignData, PolyhedraOfRockableCarryTheImposedPressure) {
   std::map<std::pair<int, int>, double> force;
   for (const Contact<3>& c : p.contacts) force[{c.i, c.j}] += c.normal_force;
   EXPECT_EQ(force.size(), 1758u);
+}
+
+/// Returns the message with which no balanced forces of a packing are found; empty if they are found.
+template <int Dim>
+std::string unbalanced(const Packing<Dim>& packing) {
+  try {
+    StaticForces<Dim> forces("the file", packing, {});
+    EXPECT_LT(forces.closest().error.force, 1e-9);
+  } catch (const NoResult& reason) {
+    return reason.what();
+  }
+  return "";
+}
+
+TEST_F(ForeignData, GrainsThatCannotBeBalancedAreNamed) {
+  // The forces in the file of Rockable balance to 2.4e-4 of their mean, and that of LMGC90 lacks the contacts with the
+  // floor.
+  const State<3> dodecahedra = read<3>("rockable/518_poly/518_poly_bruteforce_default_noperiod.conf");
+  EXPECT_THAT(unbalanced(dodecahedra.packing), testing::ContainsRegex("grains [0-9]+, [0-9]+"));
+  ImportOptions options;
+  options.law = parse_law("law", "normal.law=rigid,friction.coefficient=0.4");
+  options.cell = {{1.1, 0.0}, {0.0, 0.7}};
+  options.walls = "y=0:0.7";
+  const State<2> pentagons = read<2>("lmgc90/500PL_PerioBoxJC", options);
+  EXPECT_THAT(unbalanced(pentagons.packing), testing::ContainsRegex("the load moves most grain"));
 }
 
 TEST_F(ForeignData, PentagonsOfLmgc90Balance) {

@@ -71,10 +71,10 @@ Command add_forces(CommandLine program) {
       .within(kNearGap);
   // A range is a pair of numbers for each contact, but the table on stdout has one row for each state. The ranges are
   // therefore written only to the file of --contacts, and the options for ranges need this file.
-  const auto table =
-      app.add_option("--contacts", command->contacts,
-                     "csv file to write: contacts with their forces, in the format of floc convert "
-                     "--contacts");
+  const auto table = app.add_option(
+      "--contacts", command->contacts,
+      "csv file to write: contacts with their forces; floc convert --contacts reads it for round "
+      "grains in a cell");
   app.add_flag("--range", command->options.ranges,
                "add to the file of --contacts the smallest and the largest normal force that each contact can "
                "carry while all forces balance")

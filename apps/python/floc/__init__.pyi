@@ -344,6 +344,10 @@ class Network(Record):
     long_axis1: float | None
     long_axis2: float | None
     long_axis3: float | None
+    beta2: float | None
+    beta2_error: float | None
+    beta2_pairs: float | None
+    beta2_pairs_error: float | None
 
 class Structure(Record):
     file: str

@@ -2,18 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 
 #include "floc/packing/packing.h"
 
 namespace floc {
 
-/// Returns the number by which tables refer to a body (a grain or a wall): the identifier of a grain, or the index of a
-/// wall among all bodies.
+/// Numbers by which tables refer to bodies (grains and walls). The number of a grain is its identifier. The walls are
+/// numbered from the number of grains on or, if a grain has an identifier that is as large, from the number after the
+/// largest identifier on.
 template <int Dim>
-std::int64_t body_number(const Packing<Dim>& packing, int body) {
-  return packing.is_wall(body) ? body : packing.grains.name(body);
-}
+class BodyNumbers {
+ public:
+  explicit BodyNumbers(const Packing<Dim>& packing) : packing_(packing), first_wall_(packing.grains.size()) {
+    for (const std::int64_t id : packing.grains.id) first_wall_ = std::max(first_wall_, id + 1);
+  }
+  std::int64_t of(int body) const {
+    return packing_.is_wall(body) ? first_wall_ + body - packing_.grains.size() : packing_.grains.name(body);
+  }
+
+ private:
+  const Packing<Dim>& packing_;
+  std::int64_t first_wall_;
+};
 
 /// Returns the name of a wall in messages and lists of contacts: "x-" for the lower wall of the x axis, "x+" for the
 /// upper wall.

@@ -1,10 +1,14 @@
 #include "floc/rigid/static_forces.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "floc/base/error.h"
 #include "floc/packing/grain_sizes.h"
@@ -19,6 +23,10 @@ constexpr double kNearlyClosest = 1e-7;
 /// the cones on which the forces lie, the error falls to rounding. Searches with 20 000 polyhedra ended at 1.0e-6 and
 /// 1.2e-6.
 constexpr double kWorthPolishing = 1e-4;
+/// If there are no balanced forces, the message names the grains with the largest motion or error: those with at least
+/// this share of the largest, but at most kMostNames of them.
+constexpr double kNamed = 0.1;
+constexpr std::size_t kMostNames = 10;
 
 /// Returns the blocks (P, T/mu) of the present forces, divided by ForceBalance::unit. The tangential part is zero for
 /// contacts without friction.
@@ -149,23 +157,40 @@ BalancedForces<Dim> StaticForces<Dim>::forces(const std::vector<Vec<Dim>>& x, in
 template <int Dim>
 void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
   if (solution.status != ConeStatus::kInfeasible)
-    throw NoResult(
-        fmt::format("rounding errors ended the search for static forces: the residual is {:.1e} of the mean "
-                    "force, and the duality gap is {:.1e}, after {} factorizations; there may be no solution",
-                    solution.residual, solution.gap, solution.n_factorizations));
+    throw NoResult(fmt::format(
+        "rounding errors ended the search for static forces: the residual is {:.1e} of the mean force, and the "
+        "duality gap is {:.1e}, after {} factorizations; there may be no solution. The balance has the largest "
+        "errors for {}",
+        solution.residual, solution.gap, solution.n_factorizations,
+        largest_grains(Eigen::VectorXd(program_.balance(solution.x) - program_.load), true)));
   // If no forces balance the load, the solver returns a motion that proves this: the load does positive work in the
   // motion, and no contact resists the motion.
-  int worst = -1;
-  double most = 0.0;
-  for (int row = 0; row < solution.motion.size(); ++row)
-    if (balance_.row_grain[row] >= 0 && !balance_.row_is_moment[row] && std::abs(solution.motion[row]) > most) {
-      most = std::abs(solution.motion[row]);
-      worst = balance_.row_grain[row];
-    }
-  const std::string grain =
-      worst < 0 ? std::string() : fmt::format("; the load moves grain {} most", packing_.grains.name(worst));
+  const std::string grains = largest_grains(solution.motion, false);
   throw NoResult("no set of contact forces balances the load: this is not an equilibrium of rigid grains" +
-                 grain);
+                 (grains.empty() ? grains : "; the load moves most " + grains));
+}
+
+/// Names the grains with the largest values in the rows of the program; empty if all values are zero.
+/// @param moments  whether the rows of moments and rotations count, too
+template <int Dim>
+std::string StaticForces<Dim>::largest_grains(const Eigen::VectorXd& of_rows, bool moments) const {
+  std::map<int, double> size;
+  for (int row = 0; row < of_rows.size(); ++row)
+    if (const int grain = balance_.row_grain[row]; grain >= 0 && (moments || !balance_.row_is_moment[row]))
+      size[grain] = std::max(size[grain], std::abs(of_rows[row]));
+  std::vector<std::pair<double, int>> grains;
+  for (const auto& [grain, value] : size)
+    if (value > 0.0) grains.emplace_back(-value, grain);
+  if (grains.empty()) return "";
+  std::ranges::sort(grains);
+  const double least = kNamed * grains.front().first;
+  std::erase_if(grains, [&](const auto& g) { return g.first > least; });
+  std::vector<std::int64_t> names;
+  for (const auto& [value, grain] : grains)
+    if (names.size() < kMostNames) names.push_back(packing_.grains.name(grain));
+  std::string text = (grains.size() == 1 ? "grain " : "grains ") + fmt::format("{}", fmt::join(names, ", "));
+  if (grains.size() > names.size()) text += fmt::format(" and {} others", grains.size() - names.size());
+  return text;
 }
 
 template <int Dim>

@@ -68,6 +68,7 @@ class StaticForces {
   BalancedForces<Dim> forces(const std::vector<Vec<Dim>>& x, int n_factorizations) const;
   double extreme(int block, double sign);
   [[noreturn]] void fail(const ConeSolution<Dim>& solution) const;
+  std::string largest_grains(const Eigen::VectorXd& of_rows, bool moments) const;
 
   const Packing<Dim>& packing_;
   ForceBalance<Dim> balance_;

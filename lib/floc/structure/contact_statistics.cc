@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "floc/packing/contact_order.h"
 
@@ -60,6 +62,17 @@ Mat<Dim> deviatoric_part(const Mat<Dim>& m) {
   return symmetric - symmetric.trace() / Dim * Mat<Dim>::Identity();
 }
 
+/// Returns the likeliest decay rate of the forces above `bound`, in units of their mean, and its standard error; absent
+/// if there are few such forces.
+std::pair<std::optional<double>, std::optional<double>> decay_beyond(double bound, double mean,
+                                                                     const std::vector<double>& forces) {
+  double sum = 0.0, n = 0.0;
+  for (const double force : forces)
+    if (const double x = force / mean; x >= bound) sum += x - bound, n += 1.0;
+  if (n < kFewestForces || !(sum > 0.0)) return {};
+  return {n / sum, n / sum / std::sqrt(n)};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -104,12 +117,9 @@ ForceShape force_shape(const std::vector<double>& forces) {
     else
       form.beyond_above += x - 1.0;
   }
-  const double n_above = n - n_below;
   out.below_mean = n_below / n;
-  if (n_above >= kFewestForces && form.beyond_above > 0.0) {
-    out.beta = n_above / form.beyond_above;
-    out.beta_error = *out.beta / std::sqrt(n_above);
-  }
+  std::tie(out.beta, out.beta_error) = decay_beyond(1.0, mean, forces);
+  std::tie(out.beta2, out.beta2_error) = decay_beyond(2.0, mean, forces);
   if (n < kFewestForces || n_below == 0 || !(form.beyond_above > 0.0)) return out;
   // Values of alpha in packings are far from both ends of the interval of search. If the likeliest alpha lies at an
   // end, the distribution does not have the joined form.

@@ -45,6 +45,9 @@ struct ForceShape {
   /// Decay rate of the density above the mean, estimated as 1/(m - 1), where m is the mean of the forces x > 1.
   std::optional<double> beta;
   std::optional<double> beta_error;
+  /// Decay rate above twice the mean, estimated as 1/(m - 2), where m is the mean of the forces x > 2.
+  std::optional<double> beta2;
+  std::optional<double> beta2_error;
 };
 
 /// Returns the shape of the distribution of forces. A parameter is absent if it would be estimated from fewer than 10

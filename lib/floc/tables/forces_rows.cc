@@ -112,14 +112,14 @@ void add_contacts(const std::string& file, const Packing<Dim>& packing, const Ba
   for (int a = 1; a <= Dim; ++a) names.push_back(fmt::format("shear_force{}", a));
   if (with_ranges) names.insert(names.end(), {"smallest_normal_force", "largest_normal_force"});
   expect_columns(file, names, table);
+  const BodyNumbers<Dim> numbers(packing);
   for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
     const Contact<Dim>& c = packing.contacts[k];
     std::vector<TableValue>& row = table.rows.emplace_back();
     row.emplace_back(file);
     row.push_back(count(static_cast<std::int64_t>(k)));
-    row.push_back(count(packing.grains.name(c.i)));
-    // Walls have no identifiers. Their indices come after the indices of the grains.
-    row.push_back(count(body_number(packing, c.j)));
+    row.push_back(count(numbers.of(c.i)));
+    row.push_back(count(numbers.of(c.j)));
     for (int a = 0; a < Dim; ++a) row.push_back(count(c.image[a]));
     row.emplace_back(c.gap);
     row.emplace_back(forces.normal_force[k]);

@@ -80,11 +80,11 @@ void add_increments(const std::string& file, const Packing<Dim>& packing, const 
   std::vector<int> in_network(packing.contacts.size(), -1);
   for (int c = 0; c < static_cast<int>(network.contacts.size()); ++c)
     in_network[network.contacts[c].source] = c;
+  const BodyNumbers<Dim> numbers(packing);
   for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
     const Contact<Dim>& contact = packing.contacts[k];
     const int c = in_network[k];
-    Values values{file, static_cast<std::int64_t>(k), packing.grains.name(contact.i),
-                  body_number(packing, contact.j)};
+    Values values{file, static_cast<std::int64_t>(k), numbers.of(contact.i), numbers.of(contact.j)};
     for (int a = 0; a < Dim; ++a) values.emplace_back(std::int64_t{contact.image[a]});
     values.emplace_back(contact.distant);
     append_step(mechanics.isotropic, network, c, values);

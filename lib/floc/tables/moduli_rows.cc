@@ -361,7 +361,10 @@ std::vector<std::string> ModuliTableOptions::validate() const {
       faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
   if (kt && !kn) faults.push_back("kt: expected a normal stiffness too; give --kn");
   if (stiffness_per == StiffnessPer::contact && !kn)
-    faults.push_back("stiffness-per contact: expected the stiffnesses of rigid grains too; give --kn");
+    faults.push_back(
+        "stiffness-per contact: expected the stiffnesses of rigid grains too; give --kn. The springs of "
+        "elastic "
+        "grains always belong to contact points");
   if (accuracy)
     for (const std::string& fault : accuracy->validate()) faults.push_back(fault);
   // The test of moduli.method above does not find this fault. If an accuracy is required, floc chooses the method, and

@@ -1,5 +1,10 @@
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "floc/tables/network_rows.h"
 
 namespace floc {
@@ -154,23 +159,33 @@ std::string with_pairs(const std::string& name, bool by_pairs) {
   return at == std::string::npos ? name + "_pairs" : name.substr(0, at) + "_pairs_error";
 }
 
+/// Adds columns about the distribution of forces, counted by contact points or by pairs of grains.
+void add_force_shape(bool by_pairs,
+                     const std::vector<std::pair<std::string, std::optional<double> ForceShape::*>>& numbers,
+                     std::vector<Column<NetworkRow>>& columns) {
+  for (const auto& [name, number] : numbers)
+    columns.emplace_back(with_pairs(name, by_pairs), [by_pairs, number = number](const NetworkRow& r) {
+      if (by_pairs) return r.force_by_pairs ? or_undefined((*r.force_by_pairs).*number) : TableValue{};
+      return or_undefined(r.force_by_points.*number);
+    });
+}
+
 /// Returns two sets of columns: columns about the distribution of forces (first counted by contact points, second by
 /// pairs of grains), and columns about the long axes of grains.
 std::vector<Column<NetworkRow>> force_shape_columns() {
   using Row = NetworkRow;
   std::vector<Column<Row>> columns;
   for (const bool by_pairs : {false, true}) {
-    const auto add = [&](const std::string& name, const auto& value) {
-      columns.emplace_back(with_pairs(name, by_pairs), [by_pairs, value](const Row& r) {
-        if (by_pairs) return r.force_by_pairs ? value(*r.force_by_pairs) : TableValue{};
-        return value(r.force_by_points);
-      });
-    };
-    add("below_mean", [](const ForceShape& f) { return TableValue{f.below_mean}; });
-    for (const auto& [name, number] :
-         {std::pair{"alpha", &ForceShape::alpha}, std::pair{"alpha_error", &ForceShape::alpha_error},
-          std::pair{"beta", &ForceShape::beta}, std::pair{"beta_error", &ForceShape::beta_error}})
-      add(name, [number = number](const ForceShape& f) { return or_undefined(f.*number); });
+    columns.emplace_back(with_pairs("below_mean", by_pairs), [by_pairs](const Row& r) {
+      if (by_pairs) return r.force_by_pairs ? TableValue{r.force_by_pairs->below_mean} : TableValue{};
+      return TableValue{r.force_by_points.below_mean};
+    });
+    add_force_shape(by_pairs,
+                    {{"alpha", &ForceShape::alpha},
+                     {"alpha_error", &ForceShape::alpha_error},
+                     {"beta", &ForceShape::beta},
+                     {"beta_error", &ForceShape::beta_error}},
+                    columns);
   }
   columns.emplace_back("mobilisation", [](const Row& r) { return or_undefined(r.mobilisation); });
   columns.emplace_back("long_axes_order", [](const Row& r) { return or_undefined(r.long_axes_order); });
@@ -178,6 +193,9 @@ std::vector<Column<NetworkRow>> force_shape_columns() {
     columns.emplace_back(fmt::format("long_axis{}", a + 1), [a](const Row& r) {
       return a < r.long_axis.size() ? TableValue{r.long_axis[a]} : TableValue{};
     });
+  for (const bool by_pairs : {false, true})
+    add_force_shape(by_pairs, {{"beta2", &ForceShape::beta2}, {"beta2_error", &ForceShape::beta2_error}},
+                    columns);
   return columns;
 }
 

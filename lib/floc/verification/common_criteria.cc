@@ -192,7 +192,9 @@ class Record {
     constexpr double kRelative = 1e-6;  // accepted, because other compilers may round sums differently
     const double size = std::max(std::abs(recorded), std::abs(found));
     if (recorded == found || std::abs(recorded - found) <= kRelative * size + rounding) return;
-    wrong(fmt::format("{} is recorded as {:.3g}, but its value is {:.3g}", name, recorded, found));
+    const int digits = fmt::format("{:.3g}", recorded) != fmt::format("{:.3g}", found) ? 3 : 9;
+    wrong(fmt::format("{} is recorded as {:.{}g}, but its value is {:.{}g}", name, recorded, digits, found,
+                      digits));
   }
   void wrong(std::string what) { found_.add(0.0, std::move(what)), ++n_; }
 

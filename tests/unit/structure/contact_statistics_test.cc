@@ -118,6 +118,8 @@ TEST(ContactStatistics, RecoversTheJoinedForm) {
   EXPECT_NEAR(*shape.alpha, alpha, 1e-3);
   EXPECT_NEAR(*shape.beta, beta, 2e-3);
   EXPECT_NEAR(*shape.beta_error, beta / std::sqrt((1.0 - below) * kForces), 1e-4);
+  EXPECT_NEAR(*shape.beta2, beta, 5e-3) << "the tail is exponential";
+  EXPECT_NEAR(*shape.beta2_error, beta / std::sqrt((1.0 - below) * std::exp(-beta) * kForces), 2e-4);
   EXPECT_GT(*shape.alpha_error, 0.5 / std::sqrt(kForces));
   EXPECT_LT(*shape.alpha_error, 2.0 / std::sqrt(kForces));
 }
@@ -125,6 +127,11 @@ TEST(ContactStatistics, RecoversTheJoinedForm) {
 TEST(ContactStatistics, FewForcesHaveNoShape) {
   EXPECT_FALSE(force_shape({}).alpha);
   EXPECT_FALSE(force_shape({1.0, 2.0, 3.0}).beta);
+  std::vector<double> few(100, 1.0);
+  for (int k = 0; k < 9; ++k) few.push_back(4.0 + k);
+  EXPECT_FALSE(force_shape(few).beta2) << "of nine forces beyond twice the mean";
+  few.push_back(13.0);
+  EXPECT_TRUE(force_shape(few).beta2);
   EXPECT_FALSE(force_shape(std::vector<double>(50, 1.0)).alpha);
 }
 

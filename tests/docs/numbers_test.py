@@ -573,6 +573,11 @@ class Test:
             compare("span-" + span.replace(", I = ", "-rate-").replace(", N = ", "-"), samples, cells, shears)
         for case, _, samples, *cells in self.claim_table("| case | packing | samples | Phi |"):
             compare(case, samples, cells, forces)
+        anisotropies = ("a_normals", "a_normal_force", "a_tangential_force", "stress_ratio", "stress_ratio_predicted", "sliding_share")
+        for case, samples, *cells in self.claim_table("| sheared | samples |"):
+            compare(case, samples, cells, anisotropies)
+        for case, samples, *cells in self.claim_table("| at rest | samples |"):
+            compare(case, samples, cells, ("sliding_share", "force_freedom"))
         kinds = ("vertex_face", "edge_edge", "edge_face", "face_face")
         for case, *cells in self.claim_table("| case | vertex-face |"):
             for kind, shown in zip(kinds, cells, strict=True):

@@ -27,6 +27,10 @@ const std::string kQuick =
     source_directory() +
     "/data/scenes/type1_rolling_small.toml --set load.0.to=0.1 --set load.0.steps_per_decade=2 ";
 
+const std::string kPriceColumns =
+    "knob,value,observable,error_before_high,error_after_high,mean_difference,mean_error95,cost_ratio,"
+    "tolerance,time_step,finish,patience,kappa";
+
 class PlanCommand : public testing::Test {
  protected:
   const ScratchDirectory scratch_;
@@ -72,12 +76,19 @@ TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
       {kDemoScene + "--want phi=1e-9", "phi=1e-09: expected at least "},
       {kDemoScene + "--want phi=0.003 --budget 2s", "the nearest errors that the budget allows are phi="},
       {kDemoScene + "--budget 1h --set contact.normal.stiffness=1e9", "a K_N/F0 = 1e+09 is outside the range"},
-      {kDemoScene + "--budget 1h --set cell.mass=100", "the mass of the cell is 1e+03 times the default"},
+      {kDemoScene + "--budget 1h --set cell.mass=100",
+       "cell_mass is 1e+03 times its default value on load paths, but the table shipped with floc covers 0.1 "
+       "to 10"},
       {kDemoScene + "--budget 1h --set accuracy.phi=0.01", "remove the table [accuracy]"},
       {kDemoScene + "--budget 1h --prices none.csv", "none.csv"},
       {kDemoScene + "--budget 1h --prices beads.csv",
        "the scene is of the kind disks-cohesive, but the table beads.csv describes scenes of the kind "
-       "beads-hertz; tables are shipped for"},
+       "beads-hertz"},
+      {kDemoScene + "--budget 1h --prices kindless.csv", "the table kindless.csv has no column kind"},
+      {kDemoScene + "--budget 1h --prices newer.csv",
+       "newer.csv:2: the value of column version is 2: expected 1"},
+      {source_directory() + "/data/scenes/wide_span.toml --budget 1h",
+       "The most similar kinds with a table are rigid-disks;"},
       {kDemoScene + "--budget 1h --prices old.csv", "old.csv: column"},
       {kDemoScene + "--budget 1h --pilot --set grains.count=1", "grains.count"},
       {kDemoScene + "--budget 1s --pilot",
@@ -93,9 +104,10 @@ TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
        "--set equilibrium={softening=3}: the plan sets"},
   };
   write_text(scratch_.file("beads.csv"),
-             "knob,value,observable,error_before_high,error_after_high,mean_difference,mean_error95,cost_ratio,"
-             "tolerance,time_step,finish,patience,kappa,kind\n"
-             "scene,as it is,phi,1e-3,1e-3,0,0,0.3,1e-5,0.28,auto,1,1e5,beads-hertz\n");
+             kPriceColumns + ",kind\nscene,as it is,phi,1e-3,1e-3,0,0,0.3,1e-5,0.28,auto,1,1e5,beads-hertz\n");
+  const std::string cells = "scene,as it is,phi,1e-3,1e-3,0,0,0.3,1e-5,0.28,auto,1,1e5";
+  write_text(scratch_.file("kindless.csv"), kPriceColumns + "\n" + cells + "\n");
+  write_text(scratch_.file("newer.csv"), kPriceColumns + ",kind,version\n" + cells + ",disks-cohesive,2\n");
   write_text(scratch_.file("old.csv"), "knob,value,observable\nscene,as it is,phi\n");
   for (const auto& [arguments, words] : refused) {
     const Outcome o =
@@ -104,6 +116,28 @@ TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
     EXPECT_THAT(o.err, HasSubstr(words)) << arguments;
     EXPECT_FALSE(std::filesystem::exists(scratch_.file("p.toml"))) << arguments;
   }
+}
+
+TEST_F(PlanCommand, NamesTheSettingsOfTheSceneThatItReplaces) {
+  const std::string scenes = source_directory() + "/data/scenes/";
+  const std::pair<std::string, std::vector<std::string>> replaced[] = {
+      {kDemoScene + "--set equilibrium.patience=7", {"equilibrium.patience = 7 in the scene, = "}},
+      {kDemoScene + "--set run.time_step=0.123 --set load.0.time_step=0.3",
+       {"run.time_step = 0.123 in the scene, = ", "load.0.time_step = 0.3 in the scene, = "}},
+      {kDemoScene + "--set equilibrium.force=1e-3", {"equilibrium.force = 0.001 in the scene, = "}},
+      {scenes + "spheres_demo.toml --set assembly.softening=50 --set assembly.time_step=0.72",
+       {"assembly.softening = 50 in the scene, = ", "assembly.time_step = 0.72 in the scene, = "}},
+      {scenes + "rigid_disks_demo.toml --set dynamics.sweep_tolerance=1e-6",
+       {"dynamics.sweep_tolerance = 1e-06 in the scene, = 0.001 in the plan"}},
+  };
+  for (const auto& [scene, words] : replaced) {
+    const Outcome o = plan(scene + " --budget 1h --format csv");
+    EXPECT_EQ(o.code, 0) << scene << "\n" << o.err;
+    EXPECT_THAT(o.err, HasSubstr("the best plan replaces numerical settings of the scene: ")) << scene;
+    for (const std::string& word : words) EXPECT_THAT(o.err, HasSubstr(word)) << scene;
+    EXPECT_THAT(o.out, testing::Not(HasSubstr("scene,as it is"))) << scene;
+  }
+  EXPECT_THAT(plan(kDemoScene + "--budget 1h").err, testing::Not(HasSubstr("replaces")));
 }
 
 TEST_F(PlanCommand, ExtremeBudgetsGiveWordsAndNoHang) {
@@ -298,6 +332,14 @@ TEST_F(PlanCommand, SceneCheckPredictsByTheSamePrices) {
   const Outcome check = run_floc("scene check " + kDemoScene);
   EXPECT_THAT(check.err, HasSubstr("by the prices of the kind disks-cohesive, a run takes "));
   EXPECT_EQ(run_floc("scene check " + kDemoScene + "--prices none.csv").code, 4);
+  for (const std::string command : {"scene check ", "run -o r "}) {
+    const Outcome o = run_floc(
+        command + kDemoScene + "--prices " + source_directory() + "/data/tables/tradeoff/rigid-disks.csv",
+        scratch_.path());
+    EXPECT_EQ(o.code, 4) << command;
+    EXPECT_THAT(o.err, HasSubstr("describes scenes of the kind rigid-disks")) << command;
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch_.file("r")));
 }
 
 }  // namespace

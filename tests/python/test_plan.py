@@ -40,6 +40,21 @@ class Plans(unittest.TestCase):
         with self.assertRaisesRegex(floc.InputError, "0 of .* samples are done: expected at least two"):
             floc.check_plan(campaign)
 
+    def test_replace_a_file_only_if_asked_and_the_scene_never(self):
+        scene, output = self.directory() / "scene.toml", self.directory() / "plan.toml"
+        scene.write_text(SMALL.read_text())
+        output.write_text("mine")
+        changes = {"load.0.to": 0.05, "load.0.steps_per_decade": 2, "grains.count": 60}
+        with self.assertRaisesRegex(floc.InputError, "plan.toml: this file exists already; give overwrite=True"):
+            floc.plan(scene, want={"phi": 0.05}, changes=changes, output=output)
+        self.assertEqual(output.read_text(), "mine")
+        for overwrite in (False, True):
+            with self.assertRaisesRegex(floc.InputError, "scene.toml: this is the scene file"):
+                floc.plan(scene, want={"phi": 0.05}, changes=changes, output=scene, overwrite=overwrite)
+        self.assertEqual(scene.read_text(), SMALL.read_text())
+        floc.plan(scene, want={"phi": 0.05}, changes=changes, output=output, overwrite=True)
+        self.assertIn("scene.toml", output.read_text())
+
     def test_refuse_in_the_words_of_the_command_for_the_arguments(self):
         for arguments, words in (({}, "expected budget"), ({"budget": "2m"}, "budget 2m"),
                                  ({"budget": "1h", "cores": 0}, "cores"), ({"want": {"K0": 0.1}}, "K0 is not a quantity"),

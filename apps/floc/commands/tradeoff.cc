@@ -11,6 +11,7 @@
 #include "floc/base/error.h"
 #include "floc/lattice/cemented_sample.h"
 #include "floc/planning/duration.h"
+#include "floc/prices/price_table.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
 #include "floc/tables/column.h"
@@ -125,6 +126,7 @@ const std::vector<Column<TradeoffRow>>& tradeoff_columns() {
       {"softening", [](const Row& r) { return softening_cell(r, &Softening::load); }},
       {"assembly_softening", [](const Row& r) { return softening_cell(r, &Softening::assembly); }},
       {"masses", masses_cell},
+      {"version", [](const Row&) { return std::int64_t{kPriceTableVersion}; }},
   };
   return columns;
 }
@@ -177,8 +179,8 @@ int run_tradeoff(TradeoffCommand& command) {
   command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const Tradeoff tradeoff = study(command, scene);
   if (subject == Subject::states && !scene.law.is_rigid())
-    std::cerr << "floc tradeoff does not vary two settings: power control, which equilibrium.finish = dynamic "
-                 "switches on, and the precision in which forces are computed, which is always double\n";
+    std::cerr
+        << "floc tradeoff does not vary the precision in which forces are computed, which is always double\n";
   for (const std::string& message : tradeoff.left_out)
     std::cerr << "left out of the study: " << message << '\n';
   if (tradeoff.settings.empty()) {

@@ -148,6 +148,8 @@ void require_plot_name(const std::string& file) {
     throw InputError(file,
                      "the format of the picture cannot be told from this name: expected a name that ends in "
                      ".svg, .pdf or .png");
+  if (const fs::path folder = picture.parent_path(); !folder.empty() && !fs::is_directory(folder))
+    throw IoError(file, fmt::format("there is no directory {}", folder.string()));
 }
 
 void write_plot(const std::string& file, const Plot& plot) {

@@ -43,6 +43,7 @@ std::string gnuplot_quoted(const std::string& text);
 
 /// Checks the name of a picture, for commands whose work takes long.
 /// @throws InputError if the name does not end in .svg, .pdf or .png
+/// @throws IoError if the directory of the picture does not exist
 void require_plot_name(const std::string& file);
 
 /// Writes the picture F.svg, F.pdf or F.png, with its data in F.dat and its gnuplot script in F.gp, and runs gnuplot to

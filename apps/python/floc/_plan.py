@@ -28,7 +28,7 @@ class Plans(Records):
 
 
 def plan(scene, *, budget=None, want=None, cores=1, observables=(), changes=None, prices=None, pilot=False,
-         output=None):
+         output=None, overwrite=False):
     """Chooses the number of grains, the number of samples and the settings of a scene, as ``floc plan`` does.
 
     Parameters
@@ -51,6 +51,8 @@ def plan(scene, *, budget=None, want=None, cores=1, observables=(), changes=None
         Whether to run a few small samples of the scene first, and to take costs and scatter from them.
     output : path-like, optional
         File to write for the best plan: a campaign file, or a scene file if the plan has only one sample.
+    overwrite : bool
+        Whether `output` may replace an existing file. It never replaces the scene file.
 
     Returns
     -------
@@ -60,7 +62,8 @@ def plan(scene, *, budget=None, want=None, cores=1, observables=(), changes=None
     Raises
     ------
     InputError
-        If the scene, the budget or a wanted error is refused; the message names the nearest that can be had.
+        If the scene, the budget or a wanted error is refused; the message names the nearest that can be had. If `output`
+        exists already and may not be replaced.
     NumericalError
         If a sample of the pilot does not converge.
 
@@ -75,7 +78,8 @@ def plan(scene, *, budget=None, want=None, cores=1, observables=(), changes=None
     table, remarks = _core.plan(
         os.fspath(scene), changes=changes_of(changes), prices="" if prices is None else os.fspath(prices),
         budget=_budget(budget), want=[f"{name}={number('want', error)!r}" for name, error in (want or {}).items()],
-        cores=cores, observables=observables, pilot=pilot, output="" if output is None else os.fspath(output))
+        cores=cores, observables=observables, pilot=pilot, output="" if output is None else os.fspath(output),
+        overwrite=overwrite)
     return Plans(records(Plan, table, None, False), remarks)
 
 

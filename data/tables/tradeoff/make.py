@@ -40,12 +40,13 @@ STUDIES = {
     "spheres-cemented": ("cemented3d", ["grains.count=40", 'grains.diameter={distribution="uniform", min=0.5, max=1.0}']),
 }
 # Factor on the budget of kinds whose table is to have eight samples.
-BUDGET = {"disks-cohesive": 3.0, "beads-hertz": 3.0, "disks-cohesive-biaxial": 3.0, "disks-cohesive-oedometer": 2.0}
+BUDGET = {"disks-cohesive": 3.0, "beads-hertz": 3.0, "disks-cohesive-biaxial": 3.0, "disks-cohesive-oedometer": 2.0,
+          "rigid-polyhedra": 3.75, "spheres-cemented": 3.75, "spheres-cohesive": 3.75}
 # Matrix content of the kinds of cemented grains, whose lattices are studied.
 MATRIX = {"disks-cemented": 0.1, "spheres-cemented": 0.2}
 
 # Values of columns that tables of earlier versions do not have.
-UNSTUDIED = {"softening": "1", "assembly_softening": "1", "masses": "own"}
+UNSTUDIED = {"softening": "1", "assembly_softening": "1", "masses": "own", "version": "1"}
 
 
 def append(table, new):

@@ -11,6 +11,7 @@
 #include "floc/base/parse_number.h"
 #include "floc/base/string_literal.h"
 #include "floc/scene/read_scene.h"
+#include "floc/scene/scene_changes.h"
 #include "floc/scene/scene_softening.h"
 
 namespace floc {
@@ -104,6 +105,32 @@ void add_softening(const Softening& softening, const Scene& scene, std::vector<s
       changes.push_back(fmt::format("load.{}.softening={:g}", k, strained[k] ? 1.0 : softening.load));
 }
 
+/// Returns the changes that give a scene of rigid grains the settings `chosen`. Costs and errors of a table hold for its
+/// time step and sweep tolerance, so that other values in the scene are replaced.
+std::vector<std::string> changes_of_rigid_grains(const PricedSettings& chosen, const Scene& scene) {
+  std::vector<std::string> changes;
+  if (chosen.parameter == "gap_tolerance" || chosen.parameter == "finish")
+    changes.push_back(fmt::format("dynamics.{}={}", chosen.parameter, chosen.value));
+  else if (chosen.parameter != "scene" && chosen.parameter != "time_step" &&
+           chosen.parameter != "sweep_tolerance")
+    throw InputError(
+        chosen.name(),
+        "these settings of rigid grains change several parameters and cannot be written into a scene");
+  const bool is_of_pilot = chosen.of.empty();
+  if (is_of_pilot) return changes;
+  const ContactDynamicsOptions& own = scene.relaxation.contact_dynamics;
+  if (own.time_step != chosen.settings.time_step)
+    changes.push_back(fmt::format("dynamics.time_step={:g}", chosen.settings.time_step));
+  const double sweeps = chosen.sweep_tolerance.value_or(ContactDynamicsOptions{}.sweep_tolerance);
+  if (own.sweep_tolerance != sweeps) changes.push_back(fmt::format("dynamics.sweep_tolerance={:g}", sweeps));
+  return changes;
+}
+
+Scene with_settings(const PlanSource& source, const Scene& scene, const PricedSettings& settings) {
+  return parse_scene(scene.text, source.scene_file, fs::path(source.scene_file).parent_path().string(),
+                     changes_of(settings, scene));
+}
+
 }  // namespace
 
 bool is_fitted(const std::string& observable) {
@@ -113,16 +140,7 @@ bool is_fitted(const std::string& observable) {
 std::vector<std::string> changes_of(const PricedSettings& chosen, const Scene& scene) {
   std::vector<std::string> changes;
   const bool is_of_scene = chosen.parameter == "scene";
-  if (scene.law.is_rigid()) {
-    if (chosen.parameter == "time_step" || chosen.parameter == "sweep_tolerance" ||
-        chosen.parameter == "gap_tolerance" || chosen.parameter == "finish")
-      changes.push_back(fmt::format("dynamics.{}={}", chosen.parameter, chosen.value));
-    else if (!is_of_scene)
-      throw InputError(
-          chosen.name(),
-          "these settings of rigid grains change several parameters and cannot be written into a scene");
-    return changes;
-  }
+  if (scene.law.is_rigid()) return changes_of_rigid_grains(chosen, scene);
   const NumericalSettings& s = chosen.settings;
   if (is_of_scene && s == settings_of(scene)) return changes;
   for (const char* key : {"force", "moment", "stress"})
@@ -139,12 +157,22 @@ std::vector<std::string> changes_of(const PricedSettings& chosen, const Scene& s
 
 bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& settings) {
   try {
-    (void)parse_scene(scene.text, source.scene_file, fs::path(source.scene_file).parent_path().string(),
-                      changes_of(settings, scene));
+    (void)with_settings(source, scene, settings);
     return true;
   } catch (const InputError&) {
     return false;
   }
+}
+
+std::vector<std::string> replaced_settings(const PlanSource& source, const Scene& scene,
+                                           const PricedSettings& settings) {
+  constexpr const char* kHere = "in the scene";
+  std::vector<std::string> changes =
+      scene_changes(scene.text, kHere, with_settings(source, scene, settings).text, "in the plan");
+  std::erase_if(changes, [&](const std::string& change) {
+    return change.find(fmt::format(" absent {},", kHere)) != std::string::npos;
+  });
+  return changes;
 }
 
 std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& observables, const Scene& scene,

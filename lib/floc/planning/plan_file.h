@@ -26,6 +26,11 @@ std::vector<std::string> changes_of(const PricedSettings& settings, const Scene&
 /// tolerance must be smaller than the pressure.
 bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& settings);
 
+/// Returns the values that the scene gives to keys, and that a plan with these settings replaces, as texts such as
+/// "equilibrium.patience = 7 in the scene, = 1 in the plan".
+std::vector<std::string> replaced_settings(const PlanSource& source, const Scene& scene,
+                                           const PricedSettings& settings);
+
 /// Returns the text of the file of a plan. For a single sample, this file is a scene. For several samples, it is a
 /// campaign file with one run for each sample and with the promised errors in its table [plan].
 /// @param output  path of the file; in a campaign file, the name of the scene file is relative to the folder of this

@@ -130,6 +130,8 @@ PlansOfScene::PlansOfScene(PlanWishes wishes, const Remark& tell)
       model_(make_model(tell)),
       choice_(choose()) {
   tell_best(best(), model_, request_, tell);
+  if (const auto replaced = replaced_settings(source(), scene_, best().settings); !replaced.empty())
+    tell(fmt::format("the best plan replaces numerical settings of the scene: {}", fmt::join(replaced, "; ")));
   tell_unknown_differences(choice_, model_, tell);
 }
 
@@ -146,7 +148,12 @@ PlanChoice PlansOfScene::choose() {
   std::vector<std::string> names;
   for (const ObservablePrice& o : model_.observables()) names.push_back(o.name);
   request_.wants = wants_of(wishes_.wants, names);
-  return choose_plans(model_, request_, kPlans);
+  PlanChoice choice = choose_plans(model_, request_, kPlans);
+  // The row "scene" of a table holds for the settings of the scene of the table.
+  for (Plan& plan : choice.plans)
+    if (plan.settings.parameter == "scene" && !changes_of(plan.settings, scene_).empty())
+      plan.settings.value = "as in the table";
+  return choice;
 }
 
 Table PlansOfScene::table() const {

@@ -294,12 +294,21 @@ bool covers_stiffness(const PriceTable& table, double kappa) {
   });
 }
 
-bool covers_cell(const PriceTable& table, const CellFactors& cell) {
+std::string problem_of_factors(const PriceTable& table, const CellFactors& cell) {
   const std::vector<PricedSettings> of_cell = candidates_of(table, is_of_cell);
-  const auto covers = [&](const char* parameter, double factor) {
-    return is_default(factor) || nearest_beyond(of_cell, parameter, factor);
-  };
-  return covers(kMassOfCell, cell.mass) && covers(kCapOfCell, cell.rate_cap);
+  for (const auto& [parameter, factor] : {std::pair(kMassOfCell, cell.mass), {kCapOfCell, cell.rate_cap}}) {
+    if (is_default(factor) || nearest_beyond(of_cell, parameter, factor)) continue;
+    double least = 1.0, most = 1.0;
+    for (const PricedSettings& measured : of_cell)
+      if (measured.parameter == parameter) {
+        least = std::min(least, factor_of(measured));
+        most = std::max(most, factor_of(measured));
+      }
+    return fmt::format(
+        "{} is {:.3g} times its default value on load paths, but the {} covers {:g} to {:g} times", parameter,
+        factor, table.name(), least, most);
+  }
+  return "";
 }
 
 }  // namespace floc

@@ -99,7 +99,7 @@ struct AccuracyChoice {
 /// @param wanted  requested errors, at least one; each key is from accuracy_keys(), each error is positive
 /// @param cells  mass of the cell and cap on its strain rate in the assembly and in each stage of the load path
 /// @param tolerance_limit  settings with a tolerance of this value or more are left out
-/// @pre covers_cell(table, cell) is true for each of `cells`
+/// @pre problem_of_factors(table, cell) is empty for each of `cells`
 [[nodiscard]] AccuracyChoice choose_accuracy(const PriceTable& table, const WantedAccuracy& wanted,
                                              const std::vector<CellFactors>& cells = {},
                                              double tolerance_limit = std::numeric_limits<double>::infinity());
@@ -113,9 +113,9 @@ std::string rounded_up(double x, int digits = 2);
 /// @param kappa  stiffness number a K_N/F0 of the scene (largest diameter a, normal stiffness K_N, pull-off force F0)
 bool covers_stiffness(const PriceTable& table, double kappa);
 
-/// Whether the table covers the mass and the cap of `cell`. A value is covered if it is the default. It is also covered
-/// if the table contains errors measured with a value that differs from the default in the same direction and by at
-/// least the same factor.
-bool covers_cell(const PriceTable& table, const CellFactors& cell);
+/// Returns the reason why a table does not cover the mass and the cap of `cell`; empty if it covers them. A value is
+/// covered if it is the default. It is also covered if the table contains errors measured with a value that differs
+/// from the default in the same direction and by at least the same factor.
+std::string problem_of_factors(const PriceTable& table, const CellFactors& cell);
 
 }  // namespace floc

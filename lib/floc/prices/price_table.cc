@@ -175,10 +175,13 @@ PriceTable read_price_table(const std::string& csv, const std::string& place) {
                                   "version of floc has written");
   PriceTable table;
   table.place = place;
-  table.kind = kOldestKind;
   for (int row = 0; row < cells.n_rows(); ++row) {
     const Cells one(cells, row);
-    const std::string kind = cells.has("kind") ? one.text("kind") : kOldestKind;
+    if (const double version = one.number("version"); version != kPriceTableVersion && !std::isnan(version))
+      one.refuse("version", fmt::format("{}, the version of the tables that this version of floc reads and "
+                                        "floc tradeoff writes",
+                                        kPriceTableVersion));
+    const std::string kind = one.text("kind");
     if (row > 0 && kind != table.kind)
       throw InputError(cells.place(row),
                        fmt::format("the value of column kind is {}: expected {}, as in the rows before, "

@@ -42,7 +42,7 @@ struct PriceRow {
 struct PriceTable {
   std::string place;  ///< name of the file of the table
   bool is_shipped = false;
-  std::string kind;
+  std::string kind;  ///< empty for a table of an early version of floc, which does not contain it
   std::vector<PriceRow> rows;
 
   /// Returns the name of the table for messages: "table shipped with floc" or "table FILE".
@@ -61,14 +61,15 @@ struct PriceTable {
 /// Returns the number at the beginning of the value of a parameter, such as 10 of "10 times"; NaN if there is none.
 double leading_number(const std::string& value);
 
-/// Kind of the scenes of a table that has no column "kind".
-inline constexpr const char* kOldestKind = "disks-cohesive";
+/// Version of the tables that this version of floc writes (column "version") and reads. It changes when columns change
+/// their meaning.
+inline constexpr int kPriceTableVersion = 1;
 
 /// Reads a table that `floc tradeoff` has written in CSV format. Its columns are found by their names.
 /// @param csv  text of the table
 /// @param place  name of the table, for messages
 /// @throws InputError if the table lacks a column that every version of `floc tradeoff` writes, if a value is not a
-/// number, or if the rows describe scenes of different kinds
+/// number, if the table is of another version (kPriceTableVersion), or if the rows describe scenes of different kinds
 PriceTable read_price_table(const std::string& csv, const std::string& place);
 
 /// Returns the path of the folder with the tables KIND.csv that are shipped with the program. The folder is

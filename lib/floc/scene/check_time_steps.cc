@@ -16,13 +16,13 @@ using Need = TableReader::Need;
 /// Returns the reason why a part of a run cannot have this time step; empty if it can. Contacts without moments
 /// leave the grains without spins, and spins are what long steps make unstable.
 /// @param law  contact law in this part of the run
-std::string fault_of_step(double time_step, const Law& law) {
+std::string fault_of_step(double time_step, const Law& law, bool is_assembly) {
   const bool has_moments = law.resists_sliding() || law.has_rolling() || law.has_twisting();
   if (time_step < kStableStep || !has_moments) return "";
   return fmt::format(
       "expected a number below {:g}, because grains with friction, or with resistance to rolling or twisting, "
-      "are unstable with larger time steps; below {:g} without them (assembly.friction = 0)",
-      kStableStep, kStableStepWithoutFriction);
+      "are unstable with larger time steps; below {:g} without them{}",
+      kStableStep, kStableStepWithoutFriction, is_assembly ? " (assembly.friction = 0)" : "");
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ void check_time_steps(TableReader& root, const SceneSource& source, const Scene&
     if (step.stage == checked || !step.cell.time_step) continue;
     checked = step.stage;
     TableReader& t = tables[static_cast<std::size_t>(step.stage + 1)];
-    if (const std::string fault = fault_of_step(*step.cell.time_step, step.law); !fault.empty())
+    if (const std::string fault = fault_of_step(*step.cell.time_step, step.law, step.stage < 0); !fault.empty())
       t.fault("time_step", fmt::format("{} = {}: {}", t.path_of("time_step"), *step.cell.time_step, fault));
   }
 }

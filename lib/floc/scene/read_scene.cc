@@ -16,7 +16,6 @@
 #include "floc/base/read_text.h"
 #include "floc/contact/law_description.h"
 #include "floc/prices/numerical_settings.h"
-#include "floc/prices/price_table.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/check_masses.h"
 #include "floc/scene/check_resolution.h"
@@ -30,6 +29,7 @@
 #include "floc/scene/read_load.h"
 #include "floc/scene/read_saved_start.h"
 #include "floc/scene/read_shape.h"
+#include "floc/scene/scene_prices.h"
 #include "floc/scene/table_reader.h"
 
 namespace floc {
@@ -362,6 +362,13 @@ std::string as_text(const toml::table& root) {
   return out.str();
 }
 
+/// Refuses a table of prices that is not valid or does not apply to a scene, even if the scene does not use it.
+/// @param prices  file of the table; empty if the user has given none
+void require_prices(const std::string& prices, const Scene& scene) {
+  if (prices.empty()) return;
+  if (const ScenePrices found = prices_of(scene, prices); !found.table) throw InputError(prices, found.problem);
+}
+
 }  // namespace
 
 std::optional<Scene> scene_of_state(const std::string& text, const std::string& file, std::string& why_not) {
@@ -380,8 +387,6 @@ std::optional<Scene> scene_of_state(const std::string& text, const std::string& 
 
 Scene parse_scene(const std::string& text, const std::string& place, const std::string& directory,
                   const std::vector<std::string>& overrides, const std::string& prices) {
-  // A table of prices that is not valid is refused even if the scene does not use it.
-  if (!prices.empty()) (void)read_price_table(read_text(prices), prices);
   SceneSource source(text, place, overrides);
   TableReader root(source);
   Scene scene;
@@ -418,6 +423,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   check_shapes(root, source, scene);
   root.refuse_other_keys();
   source.throw_faults();
+  require_prices(prices, scene);
   const bool has_list = inline_diameters(source.root(), scene.grains.diameter);
   const bool has_state = name_state(source.root(), scene);
   const bool has_shape_file = name_shape_file(source.root(), scene);

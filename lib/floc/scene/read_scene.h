@@ -17,8 +17,8 @@ namespace floc {
 /// an array is addressed by its index from 0: "load.0.to=1".
 /// @param prices  file of the table of prices from which the table [accuracy] chooses numerical settings; if empty, the
 /// table shipped with floc
-/// @throws InputError that names every fault of the scene on a line of its own: "file:line: key = value: expectation",
-/// or "--set key=value: ..." for an override
+/// @throws InputError if `prices` is not valid or does not apply to the scene. The InputError of a scene with faults
+/// names each on a line of its own: "file:line: key = value: expectation", or "--set key=value: ..." for an override
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {},
                  const std::string& prices = "");
 

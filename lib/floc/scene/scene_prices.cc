@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "floc/base/read_text.h"
 #include "floc/loading/run_plan.h"
@@ -61,11 +62,7 @@ std::string problem_of_cell(const PriceTable& table, const Scene& scene) {
           "measured with a strain_rate_cap",
           table.name());
   for (const CellFactors& cell : cells_of(scene))
-    if (!covers_cell(table, cell))
-      return fmt::format(
-          "the mass of the cell is {:.3g} times the default mass on load paths, and its strain_rate_cap is "
-          "{:.3g} times the default; this is outside the range of the {}",
-          cell.mass, cell.rate_cap, errors_in(table));
+    if (const std::string problem = problem_of_factors(table, cell); !problem.empty()) return problem;
   return "";
 }
 
@@ -91,6 +88,32 @@ std::string problem_of(const PriceTable& table, const Scene& scene) {
           measured_kappa(table));
   }
   return problem_of_cell(table, scene);
+}
+
+std::vector<std::string> words_of(const std::string& kind) {
+  std::vector<std::string> words;
+  std::istringstream in(kind);
+  for (std::string word; std::getline(in, word, '-');) words.push_back(word);
+  return words;
+}
+
+/// Returns the kinds of scenes with shipped tables that are most similar to a kind: those that begin with the most words
+/// of it. Tables of cemented grains are left out, because they describe lattices and no scenes.
+std::vector<std::string> similar_kinds(const std::string& kind) {
+  const std::vector<std::string> words = words_of(kind);
+  std::vector<std::string> similar;
+  std::ptrdiff_t most = 0;
+  for (const std::string& other : priced_kinds()) {
+    if (other.ends_with("-cemented")) continue;
+    const std::vector<std::string> others = words_of(other);
+    const std::ptrdiff_t equal =
+        std::mismatch(words.begin(), words.end(), others.begin(), others.end()).first - words.begin();
+    if (equal < most) continue;
+    if (equal > most) similar.clear();
+    most = equal;
+    similar.push_back(other);
+  }
+  return similar;
 }
 
 }  // namespace
@@ -123,13 +146,19 @@ ScenePrices prices_of(const Scene& scene, const std::string& file) {
     return {std::nullopt,
             fmt::format(
                 "the scene is of the kind {}, for which no table of prices is shipped with floc: expected a "
-                "scene of one of the kinds {}, or a table for this kind, written by floc tradeoff (--prices "
-                "FILE)",
-                kind, fmt::join(priced_kinds(), ", "))};
+                "table for this kind, written by floc tradeoff (--prices FILE). The most similar kinds with a "
+                "table are {}",
+                kind, fmt::join(similar_kinds(kind), ", "))};
+  if (table->kind.empty())
+    return {
+        std::nullopt,
+        fmt::format("the {} has no column kind, because an older version of floc has written it: expected a "
+                    "table that floc tradeoff --format csv of this version of floc has written",
+                    table->name())};
   if (table->kind != kind)
     return {std::nullopt, fmt::format("the scene is of the kind {}, but the {} describes scenes of the kind "
-                                      "{}; tables are shipped for the kinds {}",
-                                      kind, table->name(), table->kind, fmt::join(priced_kinds(), ", "))};
+                                      "{}",
+                                      kind, table->name(), table->kind)};
   std::erase_if(table->rows, [&](const PriceRow& row) { return !has_observable(scene, row.observable); });
   const std::string problem = problem_of(*table, scene);
   return problem.empty() ? ScenePrices{std::move(table), ""} : ScenePrices{std::nullopt, problem};

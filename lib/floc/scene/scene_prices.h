@@ -12,7 +12,7 @@ namespace floc {
 /// Table of prices that applies to a scene, or the reason why there is none.
 struct ScenePrices {
   std::optional<PriceTable> table;
-  /// Reason why no table applies, as a text that begins with a property of the scene; empty if a table applies.
+  /// Reason why no table applies, as the beginning of a sentence; empty if a table applies.
   std::string problem;
 };
 

@@ -20,6 +20,7 @@
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_prices.h"
 #include "floc/scene/scene_softening.h"
+#include "support/message_of.h"
 #include "support/places.h"
 
 namespace floc {
@@ -78,12 +79,7 @@ class Plans : public testing::Test {
                          [&](const PricedSettings& s) { return s.name() == name; });
   }
   std::string refusal(const PlanRequest& request) const {
-    try {
-      (void)choose_plans(model_, request, 3);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::message_of([&] { (void)choose_plans(model_, request, 3); });
   }
 };
 

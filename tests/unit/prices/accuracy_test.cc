@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "floc/base/error.h"
+#include "support/message_of.h"
 
 namespace floc {
 namespace {
@@ -181,12 +182,15 @@ TEST(Accuracy, WhatTheCellAddsIsSaidAndCountsForTheLeastError) {
 
 TEST(Accuracy, TheTableSpeaksForCellsBetweenThoseMeasured) {
   const auto table = read_price_table(kTableWithCells, "table");
-  EXPECT_TRUE(covers_cell(table, {1.0, 1.0}));
-  EXPECT_TRUE(covers_cell(table, {10.0, 5.0}));
-  EXPECT_TRUE(covers_cell(table, {0.01 / 0.1, 1.0}));
-  EXPECT_FALSE(covers_cell(table, {10.1, 1.0}));
-  EXPECT_FALSE(covers_cell(table, {0.09, 1.0}));
-  EXPECT_FALSE(covers_cell(table, {1.0, 0.9})) << "slower cells were not measured";
+  EXPECT_EQ(problem_of_factors(table, {1.0, 1.0}), "");
+  EXPECT_EQ(problem_of_factors(table, {10.0, 5.0}), "");
+  EXPECT_EQ(problem_of_factors(table, {0.01 / 0.1, 1.0}), "");
+  EXPECT_EQ(
+      problem_of_factors(table, {10.1, 1.0}),
+      "cell_mass is 10.1 times its default value on load paths, but the table table covers 0.1 to 10 times");
+  EXPECT_THAT(problem_of_factors(table, {0.09, 1.0}), HasSubstr("cell_mass is 0.09 times"));
+  EXPECT_THAT(problem_of_factors(table, {1.0, 0.9}), HasSubstr("strain_rate_cap is 0.9 times"))
+      << "slower cells were not measured";
 }
 
 TEST(Accuracy, WhatWasNotMeasuredIsNotGuaranteed) {
@@ -229,7 +233,7 @@ TEST(Accuracy, ATableThatIsNoneIsRefusedByLine) {
 TEST(PriceTable, IsOfTheKindThatItsRowsName) {
   const std::string header = kHeader.substr(0, kHeader.size() - 1) + ",kind,n_grains\n";
   const std::string row = "scene,x,phi,,,,,0.3,1e-5,0.28,auto,1,1e5,";
-  EXPECT_EQ(read_price_table(kTable, "t.csv").kind, "disks-cohesive") << "older tables do not say it";
+  EXPECT_EQ(read_price_table(kTable, "t.csv").kind, "") << "older tables do not say it";
   const PriceTable beads = read_price_table(header + row + "beads-hertz,200\n", "t.csv");
   EXPECT_EQ(beads.kind, "beads-hertz");
   EXPECT_EQ(beads.rows[0].n_grains, 200);
@@ -244,6 +248,19 @@ TEST(PriceTable, IsOfTheKindThatItsRowsName) {
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr(message));
     }
+}
+
+TEST(PriceTable, OfAnotherVersionIsRefused) {
+  const auto refusal = [](const std::string& version) {
+    const std::string csv = kHeader.substr(0, kHeader.size() - 1) +
+                            ",version\nscene,x,phi,,,,,0.3,1e-5,0.28,auto,1,1e5," + version + "\n";
+    return test::message_of([&] { (void)read_price_table(csv, "t.csv"); });
+  };
+  EXPECT_EQ(refusal("1"), "");
+  EXPECT_EQ(refusal(""), "");
+  for (const char* other : {"0", "2", "1.5", "-1"})
+    EXPECT_THAT(refusal(other), HasSubstr(std::string("t.csv:2: the value of column version is ") + other +
+                                          ": expected 1, the version"));
 }
 
 TEST(PriceTable, IsShippedForEachKindThatIsNamed) {
@@ -285,12 +302,7 @@ TEST(Accuracy, NumbersOfMessagesAreRoundedUpwards) {
 
 TEST(PriceTable, RefusesNegativeErrorsAndTablesWithoutTheColumnOfAKnob) {
   const auto refusal = [](const std::string& csv) -> std::string {
-    try {
-      (void)read_price_table(csv, "prices.csv");
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::message_of([&] { (void)read_price_table(csv, "prices.csv"); });
   };
   EXPECT_EQ(refusal(kTable), "");
   EXPECT_THAT(refusal(kHeader), HasSubstr("prices.csv: the table has no rows"));

@@ -132,6 +132,21 @@ void add_contacts(const std::string& file, const Packing<Dim>& packing, const Ba
   }
 }
 
+/// Returns the distance between forces and the canonical forces of the same balance. If rounding errors end the search
+/// for the canonical forces, a remark says so and the result is absent.
+template <int Dim>
+std::optional<double> distance_to_canonical(const std::string& file, StaticForces<Dim>& problem,
+                                            const BalancedForces<Dim>& found, const Remarks& remarks) {
+  try {
+    return force_distance(found, problem.canonical());
+  } catch (const NoResult& reason) {
+    remarks.remark(file,
+                   fmt::format("force_freedom is not known, because the canonical forces were not found: {}",
+                               reason.what()));
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 ForceSelection force_selection_named(const std::string& name) {
@@ -171,8 +186,8 @@ ForcesRow forces_row(const std::string& file, const State<Dim>& state, const For
                              .kt = options.kt,
                              .stress = stress_of<Dim>(options.stress),
                              .axis_stress = std::nullopt});
-  const BalancedForces<Dim> canonical = problem.canonical();
-  const BalancedForces<Dim> found = selection == ForceSelection::kCanonical ? canonical : problem.closest();
+  const bool is_canonical = selection == ForceSelection::kCanonical;
+  const BalancedForces<Dim> found = is_canonical ? problem.canonical() : problem.closest();
 
   ForcesRow row;
   row.file = file;
@@ -189,7 +204,7 @@ ForcesRow forces_row(const std::string& file, const State<Dim>& state, const For
   row.net_force = found.error.force;
   row.net_moment = found.error.moment;
   row.stress_error = found.error.stress;
-  row.force_freedom = force_distance(found, canonical);
+  row.force_freedom = is_canonical ? 0.0 : distance_to_canonical(file, problem, found, remarks);
   row.n_factorizations = found.n_factorizations;
   count_contacts(found, row);
   if (options.contacts)
@@ -213,7 +228,7 @@ std::vector<Column<ForcesRow>> forces_columns() {
           {"net_moment", [](const auto& r) { return r.net_moment; }},
           {"stress_error", [](const auto& r) { return r.stress_error; }},
           {"moved", [](const auto& r) { return or_undefined(r.moved); }},
-          {"force_freedom", [](const auto& r) { return r.force_freedom; }},
+          {"force_freedom", [](const auto& r) { return or_undefined(r.force_freedom); }},
           {"n_factorizations", [](const auto& r) { return count(r.n_factorizations); }}};
 }
 

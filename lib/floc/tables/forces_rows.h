@@ -63,8 +63,9 @@ struct ForcesRow {
   double mobilised = 0.0;          ///< fraction of the force-carrying contacts whose friction is at its limit
   /// relative distance of the computed forces from the forces in the state; absent if the state contains no forces
   std::optional<double> moved;
-  double force_freedom =
-      0.0;  ///< relative distance of the computed forces from the forces of least elastic energy
+  /// relative distance of the computed forces from the forces of least elastic energy; absent if rounding errors ended
+  /// the search for the latter
+  std::optional<double> force_freedom;
   int n_factorizations = 0;
 };
 

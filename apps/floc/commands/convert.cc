@@ -10,6 +10,7 @@
 #include "floc/base/parse_number.h"
 #include "floc/base/return_freed_memory.h"
 #include "floc/base/sha256.h"
+#include "floc/base/split.h"
 #include "floc/imports/complete_import.h"
 #include "floc/imports/conversion_summary.h"
 #include "floc/io/export.h"
@@ -50,17 +51,6 @@ struct ConvertArguments {
   bool strict = false;
   bool overwrite = false;
 };
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.emplace_back(trimmed(std::string_view(text).substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return parts;
-}
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text) {
   std::vector<double> values;

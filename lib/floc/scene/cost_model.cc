@@ -20,9 +20,9 @@ constexpr double kCostExponent = 1.25;
 /// Tables have small samples, which do not show how the time grows in larger ones. From 1000 to 4000 glass beads
 /// (spheres_a), the mean number of time steps grows from 283 000 to 709 000, which makes an exponent of 1.66; from the
 /// 200 beads of the table, 1.35 gives the time of 4000 within a factor of 1.4. Samples of cohesionless_cycle with 150
-/// and 1200 disks took 1.06 and 10.1 s (exponent 1.08), of biaxial_dense with 150 and 600 disks 6.8 and 34.8 s (1.18),
-/// of rigid_disks_demo with 80, 320 and 640 disks 0.39, 1.39 and 6.0 s, and of polyhedra_demo with 30 and 300 grains
-/// 0.53 and 21.5 s.
+/// and 1200 disks took 1.06 and 10.1 s (exponent 1.08), of biaxial_dense with 150 and 600 disks 6.8 and 34.8 s (1.18).
+/// Samples of rigid_disks_demo with 80, 320 and 640 disks took 0.39, 1.39 and 6.0 s, and of polyhedra_demo with 30 and
+/// 300 grains 0.53 and 21.5 s.
 constexpr double kLeastOfElasticGrains = 1.1, kLeastOfBeads = 1.35, kLeastOfRigidGrains = 1.4;
 /// Fraction of the processor time of a run that is proportional to its number of equilibria. This value is used if a
 /// table of prices does not contain the fraction. The fraction is small because most of the time is spent in the

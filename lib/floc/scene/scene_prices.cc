@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "floc/base/read_text.h"
+#include "floc/base/split.h"
 #include "floc/loading/run_plan.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/derived_groups.h"
@@ -90,22 +90,15 @@ std::string problem_of(const PriceTable& table, const Scene& scene) {
   return problem_of_cell(table, scene);
 }
 
-std::vector<std::string> words_of(const std::string& kind) {
-  std::vector<std::string> words;
-  std::istringstream in(kind);
-  for (std::string word; std::getline(in, word, '-');) words.push_back(word);
-  return words;
-}
-
-/// Returns the kinds of scenes with shipped tables that are most similar to a kind: those that begin with the most words
-/// of it. Tables of cemented grains are left out, because they describe lattices and no scenes.
+/// Returns the kinds of scenes with shipped tables that are most similar to a kind: those that have the most first words
+/// in common with it. Tables of cemented grains are left out, because they describe lattices and no scenes.
 std::vector<std::string> similar_kinds(const std::string& kind) {
-  const std::vector<std::string> words = words_of(kind);
+  const std::vector<std::string> words = split(kind, '-');
   std::vector<std::string> similar;
   std::ptrdiff_t most = 0;
   for (const std::string& other : priced_kinds()) {
     if (other.ends_with("-cemented")) continue;
-    const std::vector<std::string> others = words_of(other);
+    const std::vector<std::string> others = split(other, '-');
     const std::ptrdiff_t equal =
         std::mismatch(words.begin(), words.end(), others.begin(), others.end()).first - words.begin();
     if (equal < most) continue;

@@ -6,23 +6,13 @@
 #include <sstream>
 
 #include "column_text.h"
-#include "floc/base/parse_number.h"
+#include "floc/base/split.h"
 
 namespace floc {
 namespace {
 
 constexpr std::string_view kHeading = "## ";
 constexpr std::string_view kOnTerminal = "On a terminal: ";
-
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.emplace_back(trimmed(text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return parts;
-}
 
 /// Parses docs/columns.md. In this file, the headings are the names of tables, the lines "On a terminal: ..." list the
 /// columns that are shown on a terminal, and the rows "| name | unit | meaning |" describe the columns.
